@@ -1,0 +1,35 @@
+# Sourced by demo.sh and test/run.sh: installs what is missing (Debian 12 packages) and builds.
+# Leaves a shell in which rosrun and roslaunch find the package.
+
+packages="g++ make cmake catkin ros-message-generation ros-std-msgs ros-geometry-msgs
+  ros-visualization-msgs ros-rosgraph-msgs ros-diagnostic-msgs libstd-msgs-dev libgeometry-msgs-dev
+  libvisualization-msgs-dev libros-rosgraph-msgs-dev libdiagnostic-updater-dev libroscpp-dev
+  librosbag-dev librostest-dev libgtest-dev libbenchmark-dev python3-rostest python3-rosbag
+  python3-roslaunch rosbash libboost-dev libeigen3-dev libcgal-dev libyaml-cpp-dev libcli11-dev
+  libfmt-dev"
+
+# install PACKAGE… — through apt, with sudo where needed; nothing when all are there.
+install() {
+  if dpkg-query -W -f '${db:Status-Status}\n' "$@" 2>&1 | grep -qv '^installed$'; then
+    local sudo=
+    [ "$(id -u)" = 0 ] || sudo=sudo
+    $sudo apt-get update -q
+    DEBIAN_FRONTEND=noninteractive $sudo apt-get install -yq --no-install-recommends "$@"
+  fi
+}
+
+# build CMAKE_OPTION… — configures and builds the checkout in ./build.
+build() {
+  cmake -S . -B build "$@"
+  cmake --build build -j"$(nproc)"
+}
+
+use_package() {
+  set +u
+  . devel/setup.bash
+  set -u
+  # A python3 of the user's own, first on PATH, does not have ROS.
+  export PATH=/usr/bin:$PATH
+  export ROS_HOSTNAME=${ROS_HOSTNAME:-localhost}
+  export ROS_MASTER_URI=${ROS_MASTER_URI:-http://localhost:11311}
+}

@@ -1,0 +1,68 @@
+#include "lattice/triangulation.hpp"
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/Triangulation_data_structure_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/property_map.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "lattice/input_error.hpp"
+
+namespace impact {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::int32_t, Kernel>;
+using Triangulation =
+    CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase>>;
+using IndexedPoint = std::pair<Kernel::Point_2, std::int32_t>;
+using SortTraits =
+    CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pair_property_map<IndexedPoint>>;
+
+}  // namespace
+
+std::vector<Bond> delaunay_bonds(const PointArray& points) {
+  std::vector<IndexedPoint> indexed;
+  indexed.reserve(static_cast<std::size_t>(points.rows()));
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    indexed.emplace_back(Kernel::Point_2(points(i, 0), points(i, 1)), static_cast<std::int32_t>(i));
+  }
+
+  // CGAL's own range insertion shuffles the points by a generator that lives as long as the
+  // program, so a second lattice of the same seed could differ. A Hilbert curve needs no shuffling.
+  CGAL::hilbert_sort(indexed.begin(), indexed.end(), SortTraits());
+  Triangulation triangulation;
+  Triangulation::Face_handle hint;
+  for (const IndexedPoint& point : indexed) {
+    const auto vertex = triangulation.insert(point.first, hint);
+    vertex->info() = point.second;
+    hint = vertex->face();
+  }
+  if (triangulation.number_of_vertices() != indexed.size()) {
+    std::sort(indexed.begin(), indexed.end());
+    const auto same =
+        std::adjacent_find(indexed.begin(), indexed.end(),
+                           [](const auto& a, const auto& b) { return a.first == b.first; });
+    throw InputError(fmt::format("points {} and {} coincide, at ({}, {})", same->second + 1,
+                                 std::next(same)->second + 1, same->first.x(), same->first.y()));
+  }
+
+  std::vector<Bond> bonds;
+  bonds.reserve(3 * indexed.size());
+  for (auto edge = triangulation.finite_edges_begin(); edge != triangulation.finite_edges_end();
+       ++edge) {
+    const std::int32_t a = edge->first->vertex(Triangulation::cw(edge->second))->info();
+    const std::int32_t b = edge->first->vertex(Triangulation::ccw(edge->second))->info();
+    bonds.push_back({std::min(a, b), std::max(a, b)});
+  }
+  std::sort(bonds.begin(), bonds.end());
+  return bonds;
+}
+
+}  // namespace impact

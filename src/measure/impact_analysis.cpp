@@ -1,0 +1,36 @@
+#include "measure/impact_analysis.hpp"
+
+namespace impact {
+
+void ImpactAnalysis::add(const State& state) {
+  latest_ = body_motion(state.position, state.velocity);
+  if (!before_) before_ = latest_;
+}
+
+void ImpactAnalysis::add(const ContactReport& report) {
+  for (const ForceSample& sample : report.samples) {
+    contact_.add(sample);
+    if (last_sample_) {
+      impulse_ += 0.5 * (last_sample_->force + sample.force) * (sample.time - last_sample_->time);
+    }
+    last_sample_ = sample;
+  }
+}
+
+Restitution ImpactAnalysis::restitution(bool separated) const {
+  Restitution result;
+  if (before_) result.velocity_before = before_->velocity.y();
+  result.contact_begin = contact_.begin();
+  if (!before_ || !separated) return result;
+  result.velocity_after = latest_.velocity.y();
+  result.restitution = -result.velocity_after / result.velocity_before;
+  result.tangential_velocity_after = latest_.velocity.x();
+  result.spin_after = latest_.spin();
+  result.contact_end = contact_.end();
+  result.contact_duration = contact_.duration();
+  result.peak_force = contact_.peak_force();
+  result.impulse = impulse_;
+  return result;
+}
+
+}  // namespace impact

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "measure/contact_report.hpp"
+#include "measure/contact_time.hpp"
+#include "mechanics/body_motion.hpp"
+
+namespace impact {
+
+/// What an impact did to the disk; NaN for what is not known yet.
+struct Restitution {
+  static constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  double velocity_before = kNaN;            ///< of the centre of mass along y, c
+  double velocity_after = kNaN;             ///< of the centre of mass along y, c
+  double restitution = kNaN;                ///< e = −velocity_after/velocity_before
+  double tangential_velocity_after = kNaN;  ///< of the centre of mass along x, c
+  double spin_after = kNaN;                 ///< counter-clockwise, c/R
+  double contact_begin = kNaN;              ///< R/c
+  double contact_end = kNaN;                ///< R/c
+  double contact_duration = kNaN;           ///< R/c
+  double peak_force = kNaN;                 ///< M c²/R
+  double impulse = kNaN;                    ///< of the wall along y, M c
+};
+
+/// Takes the states and contact reports of one run, each in the order of time, and says what the
+/// impact did. Only the first and the last state and the force at every step count, so that the
+/// answer does not depend on how often states are given.
+class ImpactAnalysis {
+ public:
+  void add(const State& state);
+  void add(const ContactReport& report);
+
+  /// `separated`: the last state given is one after the disk has left for good.
+  Restitution restitution(bool separated) const;
+
+ private:
+  std::optional<BodyMotion> before_;
+  BodyMotion latest_;
+  ContactTime contact_;
+  std::optional<ForceSample> last_sample_;
+  double impulse_ = 0.0;
+};
+
+}  // namespace impact

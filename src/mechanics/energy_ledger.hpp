@@ -1,0 +1,24 @@
+#pragma once
+
+#include "mechanics/force_field.hpp"
+#include "mechanics/state.hpp"
+
+namespace impact {
+
+/// Where the energy is, in M c². The total is constant to the integrator's order.
+struct EnergyLedger {
+  double kinetic_translation = 0.0;  ///< of the centre of mass
+  double kinetic_rotation = 0.0;     ///< L²/(2 I) about the centre of mass
+  double kinetic_internal = 0.0;     ///< the rest of the kinetic energy
+  double bonds = 0.0;
+  double wall = 0.0;
+  double load = 0.0;        ///< P times the height of the centre of mass
+  double dissipated = 0.0;  ///< by damping, since the start
+
+  double kinetic() const { return kinetic_translation + kinetic_rotation + kinetic_internal; }
+  double total() const { return kinetic() + bonds + wall + load + dissipated; }
+};
+
+EnergyLedger energy_ledger(const ForceField& field, const State& state, double dissipated);
+
+}  // namespace impact

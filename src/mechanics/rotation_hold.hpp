@@ -1,0 +1,37 @@
+#pragma once
+
+#include "lattice/lattice.hpp"
+
+namespace impact {
+
+/// Holds the rigid rotation of a body: keeps Σ R_i × (r_i − r_cm) = 0, with R_i the reference
+/// positions about their centre (the rotational Eckart condition, C. Eckart, Phys. Rev. 47 (1935)
+/// 552), so that the best-fitting rotation from the reference is exactly zero. The constraint is
+/// linear in the positions; its forces λ ẑ × R_i have no resultant, do no work, and leave
+/// accelerations that satisfy it. A pressed random disk would otherwise roll, since its centre of
+/// mass lies off its middle.
+class RotationHold {
+ public:
+  explicit RotationHold(const PointArray& reference) : direction_(reference.rows(), 2) {
+    const PointArray arm = reference.rowwise() - reference.colwise().mean();
+    direction_.col(0) = -arm.col(1);
+    direction_.col(1) = arm.col(0);
+    norm_squared_ = direction_.square().sum();
+  }
+
+  /// Adds the constraint's forces. To be called after all others.
+  void apply(PointArray& force) {
+    multiplier_ = -(direction_ * force).sum() / norm_squared_;
+    force += multiplier_ * direction_;
+  }
+
+  /// Torque of the constraint in the last apply(), counter-clockwise, in M c².
+  double torque() const { return multiplier_ * norm_squared_; }
+
+ private:
+  PointArray direction_;
+  double norm_squared_;
+  double multiplier_ = 0.0;
+};
+
+}  // namespace impact

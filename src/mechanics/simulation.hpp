@@ -1,0 +1,49 @@
+#pragma once
+
+#include "mechanics/energy_ledger.hpp"
+#include "mechanics/force_field.hpp"
+#include "mechanics/spectrum.hpp"
+#include "mechanics/state.hpp"
+#include "mechanics/velocity_verlet.hpp"
+
+namespace impact {
+
+/// A body in motion: its state, the forces on it, its integrator and step.
+///
+/// The wall grows stiffer the deeper a point is pressed into it. Before each step the stability
+/// bound is looked at with four times the stiffness a F of the largest force that a point may meet
+/// in that step, F exp(a v h) with the greatest speed v of any point towards the wall. The step is
+/// halved from there on while it exceeds the bound.
+class Simulation {
+ public:
+  /// `step` in R/c. It must be stable for the spectrum, see verlet_step_limit().
+  Simulation(ForceField field, State initial, const Spectrum& spectrum, double step);
+
+  void step();
+
+  const State& state() const { return state_; }
+  const ForceField& field() const { return field_; }
+  double step_size() const { return step_size_; }
+  /// How many times the step was halved.
+  int halvings() const { return halvings_; }
+
+  EnergyLedger ledger() const { return energy_ledger(field_, state_, dissipated_); }
+
+  /// Largest component, over all points, of the force on a point at rest in the present
+  /// configuration, in M c²/R.
+  double largest_static_force() const;
+
+ private:
+  void watch_wall();
+
+  ForceField field_;
+  State state_;
+  Spectrum spectrum_;
+  VelocityVerlet integrator_;
+  double step_size_;
+  std::uint64_t ticks_ = 0;  ///< time in units of the present step
+  int halvings_ = 0;
+  double dissipated_ = 0.0;
+};
+
+}  // namespace impact

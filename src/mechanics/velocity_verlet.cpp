@@ -1,0 +1,32 @@
+#include "mechanics/velocity_verlet.hpp"
+
+#include <cmath>
+
+namespace impact {
+
+VelocityVerlet::VelocityVerlet(ForceField& field, const State& state)
+    : acceleration_(state.position.rows(), 2) {
+  if (field.bonds.damped()) predicted_velocity_.resizeLike(state.velocity);
+  dissipated_power_ = field.evaluate(state.position, state.velocity, acceleration_);
+  acceleration_ /= field.point_mass;
+}
+
+double VelocityVerlet::step(ForceField& field, State& state, double h) {
+  const bool damped = field.bonds.damped();
+  if (damped) predicted_velocity_ = state.velocity + h * acceleration_;
+  state.velocity += (0.5 * h) * acceleration_;
+  state.position += h * state.velocity;
+
+  const double power_before = dissipated_power_;
+  dissipated_power_ =
+      field.evaluate(state.position, damped ? predicted_velocity_ : state.velocity, acceleration_);
+  acceleration_ /= field.point_mass;
+  state.velocity += (0.5 * h) * acceleration_;
+  return 0.5 * h * (power_before + dissipated_power_);
+}
+
+double verlet_step_limit(double omega_squared, double gamma) {
+  return 2.0 / (gamma + std::sqrt(gamma * gamma + omega_squared));
+}
+
+}  // namespace impact

@@ -1,0 +1,93 @@
+#include "nodes/analysis_node.hpp"
+
+#include <fmt/format.h>
+#include <lattice_impact/Acknowledged.h>
+#include <ros/callback_queue.h>
+
+#include <stdexcept>
+
+#include "nodes/program.hpp"
+
+namespace impact {
+namespace {
+
+constexpr double kPoll = 0.1;  // s
+
+}  // namespace
+
+AnalysisNode::AnalysisNode(const AnalysisNodeParameters& parameters)
+    : parameters_(parameters),
+      readers_(node_, parameters.wait_for),
+      strain_(readers_.advertise<lattice_impact::Strain>("strain")),
+      restitution_(readers_.advertise<lattice_impact::Restitution>("restitution", true)),
+      acknowledged_(node_.advertise<lattice_impact::Acknowledged>("acknowledged", 0)),
+      analysis_({[this](const lattice_impact::Strain& strain) { publish(strain); },
+                 [this](const lattice_impact::Restitution& result) { publish(result); },
+                 [this](std::uint32_t run, std::uint32_t sequence) { acknowledge(run, sequence); },
+                 [this](const std::string& problem) {
+                   complete_ = false;
+                   ROS_ERROR("%s", problem.c_str());
+                 }}) {}
+
+bool AnalysisNode::run() {
+  readers_.wait(parameters_.timeout);
+  subscribe<lattice_impact::Lattice>("lattice");
+  subscribe<lattice_impact::ParticleStates>("particle_states");
+  subscribe<lattice_impact::ContactForces>("contact_forces");
+  subscribe<lattice_impact::RunStatus>("run_status");
+
+  last_message_ = ros::WallTime::now();
+  while (!interrupted() && !(parameters_.exit_when_done && analysis_.done())) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll));
+    give_up_if_silent();
+  }
+  analysis_.close();
+  ros::WallDuration(parameters_.linger).sleep();
+  return complete_;
+}
+
+template <class Message>
+void AnalysisNode::subscribe(const std::string& topic) {
+  subscribers_.push_back(node_.subscribe<Message>(
+      topic, 0,
+      [this](const typename Message::ConstPtr& message) {
+        last_message_ = ros::WallTime::now();
+        analysis_.add(*message);
+      },
+      ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
+}
+
+void AnalysisNode::publish(const lattice_impact::Strain& strain) {
+  strain_.publish(strain);
+  if (strain.at_rest != 0) {
+    ROS_INFO("run %u: at rest with strain %.6g R, wall force %.6g M c²/R", strain.run,
+             strain.strain, strain.force);
+  }
+}
+
+void AnalysisNode::publish(const lattice_impact::Restitution& restitution) {
+  restitution_.publish(restitution);
+  if (restitution.complete != 0) {
+    ROS_INFO("run %u: velocity %.6g c, restitution %.9g, contact duration %.6g R/c",
+             restitution.run, -restitution.velocity_before, restitution.restitution,
+             restitution.contact_duration);
+  }
+}
+
+void AnalysisNode::acknowledge(std::uint32_t run, std::uint32_t sequence) {
+  lattice_impact::Acknowledged message;
+  message.reader = ros::this_node::getName();
+  message.run = run;
+  message.sequence = sequence;
+  acknowledged_.publish(message);
+}
+
+void AnalysisNode::give_up_if_silent() {
+  const double silence = (ros::WallTime::now() - last_message_).toSec();
+  if (analysis_.waits_for_missing() && silence > parameters_.patience) analysis_.close();
+  if (parameters_.exit_when_done && silence > parameters_.timeout) {
+    throw std::runtime_error(fmt::format("no message for {} s (timeout)", parameters_.timeout));
+  }
+}
+
+}  // namespace impact

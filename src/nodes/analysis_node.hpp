@@ -1,0 +1,44 @@
+#pragma once
+
+#include <ros/ros.h>
+
+#include <string>
+#include <vector>
+
+#include "nodes/node_parameters.hpp"
+#include "nodes/readers.hpp"
+#include "nodes/series_analysis.hpp"
+
+namespace impact {
+
+/// Analyses a series while it is simulated or replayed, and publishes the results.
+class AnalysisNode {
+ public:
+  explicit AnalysisNode(const AnalysisNodeParameters& parameters);
+
+  /// Takes in messages until interrupted or, if asked for, until the series is done. False when
+  /// messages were missing.
+  /// @throw std::runtime_error when a reader of the results is missing.
+  bool run();
+
+ private:
+  template <class Message>
+  void subscribe(const std::string& topic);
+  void publish(const lattice_impact::Restitution& restitution);
+  void publish(const lattice_impact::Strain& strain);
+  void acknowledge(std::uint32_t run, std::uint32_t sequence);
+  void give_up_if_silent();
+
+  AnalysisNodeParameters parameters_;
+  ros::NodeHandle node_;
+  Readers readers_;
+  ros::Publisher strain_;
+  ros::Publisher restitution_;
+  ros::Publisher acknowledged_;
+  std::vector<ros::Subscriber> subscribers_;
+  SeriesAnalysis analysis_;
+  ros::WallTime last_message_;
+  bool complete_ = true;
+};
+
+}  // namespace impact

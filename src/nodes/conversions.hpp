@@ -1,0 +1,35 @@
+#pragma once
+
+#include <lattice_impact/ContactForces.h>
+#include <lattice_impact/EnergyLedger.h>
+#include <lattice_impact/Lattice.h>
+#include <lattice_impact/ParticleStates.h>
+#include <lattice_impact/Restitution.h>
+#include <lattice_impact/Strain.h>
+#include <ros/time.h>
+
+#include "lattice/lattice.hpp"
+#include "measure/contact_report.hpp"
+#include "measure/impact_analysis.hpp"
+#include "measure/strain.hpp"
+#include "mechanics/energy_ledger.hpp"
+#include "mechanics/state.hpp"
+
+/// Between the project's types and its messages, to the last bit. Header, run and sequence are left
+/// to the caller.
+namespace impact {
+
+lattice_impact::Lattice to_message(const Lattice& lattice);
+lattice_impact::ParticleStates to_message(const State& state);
+lattice_impact::ContactForces to_message(const ContactReport& report);
+lattice_impact::EnergyLedger to_message(const EnergyLedger& ledger, double error);
+lattice_impact::Strain to_message(const Strain& strain);
+lattice_impact::Restitution to_message(const Restitution& restitution);
+
+/// @throw std::runtime_error when the arrays of the message differ in length, or a bond names a
+/// point that is not there.
+Lattice from_message(const lattice_impact::Lattice& message);
+State from_message(const lattice_impact::ParticleStates& message);
+ContactReport from_message(const lattice_impact::ContactForces& message);
+
+}  // namespace impact

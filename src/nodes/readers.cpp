@@ -1,0 +1,71 @@
+#include "nodes/readers.hpp"
+
+#include <fmt/format.h>
+#include <lattice_impact/Acknowledged.h>
+#include <ros/callback_queue.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "nodes/program.hpp"
+
+namespace impact {
+namespace {
+
+constexpr double kPoll = 0.05;  // s
+
+void serve_callbacks() { ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll)); }
+
+}  // namespace
+
+Readers::Readers(ros::NodeHandle& node, const std::vector<std::string>& names) : node_(node) {
+  for (const std::string& name : names) names_.push_back(node.resolveName(name));
+}
+
+void Readers::wait(double timeout) {
+  const ros::WallTime start = ros::WallTime::now();
+  while (!missing().empty() && !interrupted()) {
+    if ((ros::WallTime::now() - start).toSec() > timeout) {
+      throw std::runtime_error(
+          fmt::format("no subscription within {} s (timeout): {}", timeout, missing()));
+    }
+    serve_callbacks();
+  }
+}
+
+std::string Readers::missing() const {
+  std::vector<std::string> links;
+  for (const auto& topic : subscribers_) {
+    for (const std::string& name : names_) {
+      if (topic.second.count(name) == 0) links.push_back(name + " to " + topic.first);
+    }
+  }
+  return fmt::format("{}", fmt::join(links, ", "));
+}
+
+Pacing::Pacing(ros::NodeHandle& node, const std::vector<std::string>& names) {
+  for (const std::string& name : names) acknowledged_[node.resolveName(name)] = {-1, -1};
+  if (names.empty()) return;
+  subscriber_ = node.subscribe<lattice_impact::Acknowledged>(
+      "acknowledged", 0, [this](const lattice_impact::AcknowledgedConstPtr& message) {
+        const auto reader = acknowledged_.find(message->reader);
+        if (reader == acknowledged_.end()) return;
+        reader->second = std::max(reader->second, Position{message->run, message->sequence});
+        last_news_ = ros::WallTime::now();
+      });
+}
+
+void Pacing::wait(std::uint32_t run, std::int64_t sequence, double timeout) {
+  last_news_ = ros::WallTime::now();
+  for (const auto& reader : acknowledged_) {
+    while (reader.second < Position{run, sequence} && !interrupted()) {
+      if ((ros::WallTime::now() - last_news_).toSec() > timeout) {
+        throw std::runtime_error(
+            fmt::format("{} has acknowledged nothing for {} s (timeout)", reader.first, timeout));
+      }
+      serve_callbacks();
+    }
+  }
+}
+
+}  // namespace impact

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <ros/ros.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace impact {
+
+/// The nodes that must not miss a message. What is published through it is seen by each of them
+/// from the first message on, since wait() returns only when each has subscribed to each topic.
+class Readers {
+ public:
+  /// `names` of nodes, resolved in the namespace of `node`.
+  Readers(ros::NodeHandle& node, const std::vector<std::string>& names);
+
+  /// Advertises a topic, with an unlimited queue.
+  template <class Message>
+  ros::Publisher advertise(const std::string& topic, bool latch = false) {
+    auto& subscribers = subscribers_[node_.resolveName(topic)];
+    auto options = ros::AdvertiseOptions::create<Message>(
+        topic, 0,
+        [&subscribers](const ros::SingleSubscriberPublisher& link) {
+          subscribers.insert(link.getSubscriberName());
+        },
+        [&subscribers](const ros::SingleSubscriberPublisher& link) {
+          subscribers.erase(link.getSubscriberName());
+        },
+        ros::VoidConstPtr(), nullptr);
+    options.latch = latch;
+    return node_.advertise(options);
+  }
+
+  /// Waits until every reader has subscribed to every topic, or until `interrupted`.
+  /// @throw std::runtime_error after `timeout` seconds, with the readers and topics that are
+  /// missing.
+  void wait(double timeout);
+
+ private:
+  std::string missing() const;
+
+  ros::NodeHandle node_;
+  std::vector<std::string> names_;
+  std::map<std::string, std::set<std::string>> subscribers_;  ///< names, by topic
+};
+
+/// Holds the simulation back until its readers have taken in what it sent.
+class Pacing {
+ public:
+  Pacing(ros::NodeHandle& node, const std::vector<std::string>& names);
+
+  /// Waits until every reader has acknowledged the message `sequence` of `run` or a later one, or
+  /// until `interrupted`.
+  /// @throw std::runtime_error when nothing is acknowledged for `timeout` seconds.
+  void wait(std::uint32_t run, std::int64_t sequence, double timeout);
+
+ private:
+  using Position = std::pair<std::int64_t, std::int64_t>;  // run, sequence
+
+  std::map<std::string, Position> acknowledged_;  ///< by reader
+  ros::WallTime last_news_;
+  ros::Subscriber subscriber_;
+};
+
+}  // namespace impact

@@ -1,0 +1,161 @@
+#include "nodes/series_analysis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "scene/scene_parameters.hpp"
+
+namespace impact {
+namespace {
+
+bool has_ended(const std::optional<lattice_impact::RunStatus>& status) {
+  return status && status->phase != lattice_impact::RunStatus::RUNNING;
+}
+
+bool has_flag(const lattice_impact::RunStatus& status, const char* flag) {
+  return std::find(status.flags.begin(), status.flags.end(), flag) != status.flags.end();
+}
+
+/// The question of the run was answered.
+bool is_answered(const lattice_impact::RunStatus& status) {
+  return status.phase == lattice_impact::RunStatus::FINISHED &&
+         !has_flag(status, "not_separated") && !has_flag(status, "not_at_rest");
+}
+
+const char* phase_flag(const lattice_impact::RunStatus& status) {
+  switch (status.phase) {
+    case lattice_impact::RunStatus::FAILED:
+      return "failed";
+    case lattice_impact::RunStatus::INTERRUPTED:
+      return "interrupted";
+    default:
+      return nullptr;
+  }
+}
+
+}  // namespace
+
+void SeriesAnalysis::add(const lattice_impact::Lattice& message) {
+  open_run(message.run).strain_meter.emplace(from_message(message).points);
+  advance(message.run);
+}
+
+void SeriesAnalysis::add(const lattice_impact::ParticleStates& message) {
+  open_run(message.run).states.push_back(message);
+  advance(message.run);
+}
+
+void SeriesAnalysis::add(const lattice_impact::ContactForces& message) {
+  open_run(message.run).forces.push_back(message);
+  advance(message.run);
+}
+
+void SeriesAnalysis::add(const lattice_impact::RunStatus& message) {
+  Run& run = open_run(message.run);
+  run.status = message;
+  if (!run.scene) run.scene = parse_scene(flatten(YAML::Load(message.scene)));
+  series_ended_ = has_ended(run.status) && (message.run + 1 == message.runs ||
+                                            message.phase != lattice_impact::RunStatus::FINISHED);
+  advance(message.run);
+}
+
+void SeriesAnalysis::advance(std::uint32_t number) {
+  Run& run = open_run(number);
+  while (run.strain_meter && run.scene && !run.states.empty() && !run.forces.empty()) {
+    const std::uint32_t sequence =
+        std::max(run.states.front().sequence, run.forces.front().sequence);
+    if (sequence != run.next_sequence) report_gap(run, number, sequence);
+    if (run.states.front().sequence < sequence) {
+      run.states.pop_front();
+    } else if (run.forces.front().sequence < sequence) {
+      run.forces.pop_front();
+    } else {
+      take_in(run, run.states.front(), run.forces.front());
+      run.states.pop_front();
+      run.forces.pop_front();
+      outputs_.taken_in(number, sequence);
+    }
+  }
+  if (has_ended(run.status) && run.next_sequence >= run.status->states) close(number);
+}
+
+void SeriesAnalysis::take_in(Run& run, const lattice_impact::ParticleStates& states,
+                             const lattice_impact::ContactForces& forces) {
+  const State state = from_message(states);
+  run.impact.add(state);
+  run.impact.add(from_message(forces));
+  run.next_sequence = states.sequence + 1;
+
+  lattice_impact::Strain strain = to_message(run.strain_meter->measure(state.position));
+  strain.header = states.header;
+  strain.run = states.run;
+  strain.step = states.step;
+  strain.time = states.time;
+  strain.force = forces.total_y;
+  publish_strain(run, strain);
+  if (!run.announced && run.scene->kind == SceneKind::kCollision) {
+    run.announced = true;
+    publish_restitution(run, false, false);
+  }
+}
+
+void SeriesAnalysis::report_gap(Run& run, std::uint32_t number, std::uint32_t found) {
+  if (!run.gap) {
+    outputs_.problem(fmt::format("run {}: messages are missing: expected sequence {}, got {}",
+                                 number, run.next_sequence, found));
+  }
+  run.gap = true;
+}
+
+void SeriesAnalysis::publish_strain(Run& run, lattice_impact::Strain strain) {
+  strain.sequence = run.strains_published++;
+  run.last_strain = strain;
+  outputs_.strain(strain);
+}
+
+void SeriesAnalysis::publish_restitution(const Run& run, bool ended, bool complete) {
+  lattice_impact::Restitution message = to_message(run.impact.restitution(complete));
+  message.header = run.last_strain.header;
+  message.run = run.last_strain.run;
+  message.ended = static_cast<std::uint8_t>(ended);
+  message.complete = static_cast<std::uint8_t>(complete);
+  message.flags = run.status->flags;
+  if (const char* flag = phase_flag(*run.status)) message.flags.emplace_back(flag);
+  if (run.gap) message.flags.emplace_back("incomplete");
+  outputs_.restitution(message);
+}
+
+void SeriesAnalysis::close(std::uint32_t number) {
+  Run& run = open_run(number);
+  if (run.scene) {
+    const bool complete = !run.gap && is_answered(*run.status);
+    if (run.scene->kind == SceneKind::kCollision) publish_restitution(run, true, complete);
+    if (run.scene->kind == SceneKind::kContact && complete) {
+      run.last_strain.at_rest = static_cast<std::uint8_t>(true);
+      publish_strain(run, run.last_strain);
+    }
+  }
+  outputs_.taken_in(number, run.status ? run.status->states : run.next_sequence);
+  runs_.erase(number);
+}
+
+void SeriesAnalysis::close() {
+  while (!runs_.empty()) {
+    const std::uint32_t number = runs_.begin()->first;
+    Run& run = runs_.begin()->second;
+    run.gap = true;
+    outputs_.problem(fmt::format("run {}: incomplete after {} states{}", number, run.next_sequence,
+                                 has_ended(run.status) ? fmt::format(" of {}", run.status->states)
+                                                       : ", its end was not announced"));
+    close(number);
+  }
+}
+
+bool SeriesAnalysis::waits_for_missing() const {
+  return std::any_of(runs_.begin(), runs_.end(),
+                     [](const auto& run) { return has_ended(run.second.status); });
+}
+
+}  // namespace impact

@@ -1,0 +1,18 @@
+#include "nodes/node_parameters.hpp"
+#include "nodes/parameter_server.hpp"
+#include "nodes/program.hpp"
+#include "nodes/simulation_node.hpp"
+#include "scene/scene_parameters.hpp"
+
+int main(int argc, char** argv) {
+  return impact::run_node(argc, argv, "simulation_node", [] {
+    impact::FlatTree keys = impact::private_parameters();
+    impact::SimulationNodeParameters parameters;
+    impact::read_parameters(impact::simulation_node_parameters(),
+                            impact::take_keys(keys, impact::simulation_node_parameters()),
+                            parameters);
+    std::vector<impact::Scene> series = impact::parse_series(keys);
+    impact::check_series(parameters, series);
+    return impact::SimulationNode(parameters, std::move(series)).run_series() ? 0 : 1;
+  });
+}

@@ -1,0 +1,172 @@
+#include "nodes/simulation_node.hpp"
+
+#include <fmt/format.h>
+#include <rosgraph_msgs/Clock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "lattice/input_error.hpp"
+#include "nodes/conversions.hpp"
+#include "nodes/program.hpp"
+#include "scene/scene_parameters.hpp"
+
+namespace impact {
+namespace {
+
+constexpr std::uint32_t kStatusInterval = 100;  // states
+constexpr std::int64_t kWindow = 100;           // states ahead of the slowest reader
+
+/// Rough size of the messages of a run, in bytes.
+double expected_size(const Scene& scene, const Composition& composition) {
+  const double states = composition.expected_time / scene.output.period + 2.0;
+  const double samples = scene.output.period / composition.step;
+  constexpr double kOverhead = 300.0;
+  return states * (4.0 * 8.0 * static_cast<double>(composition.lattice.points.rows()) +
+                   2.0 * 8.0 * samples + kOverhead);
+}
+
+double free_space(const std::string& file) {
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  std::error_code error;
+  const auto space = std::filesystem::space(folder, error);
+  if (error) {
+    throw InputError(fmt::format("bag: {} cannot be written: {}", file, error.message()));
+  }
+  return static_cast<double>(space.available);
+}
+
+}  // namespace
+
+void check_series(const SimulationNodeParameters& parameters, const std::vector<Scene>& series) {
+  double size = 0.0;
+  for (const Scene& scene : series) size += expected_size(scene, compose(scene));
+  ROS_INFO(
+      "%s",
+      fmt::format("{} run(s), about {:.3g} MB of messages", series.size(), size / 1e6).c_str());
+  if (!parameters.bag.empty() && size > free_space(parameters.bag)) {
+    throw InputError(fmt::format("bag: about {:.3g} GB are to be written to {}, {:.3g} GB are free",
+                                 size / 1e9, parameters.bag, free_space(parameters.bag) / 1e9));
+  }
+}
+
+SimulationNode::SimulationNode(const SimulationNodeParameters& parameters,
+                               std::vector<Scene> series)
+    : parameters_(parameters),
+      series_(std::move(series)),
+      readers_(node_, parameters.wait_for),
+      streams_(readers_, parameters.bag),
+      pacing_(node_, parameters.acknowledged_by),
+      viewer_(node_) {
+  if (parameters.publish_clock) clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 0);
+  if (parameters.max_rate > 0.0) rate_.emplace(parameters.max_rate);
+  diagnostics_.setHardwareID("none");
+  diagnostics_.add("simulation", [this](auto& status) { diagnose(status); });
+  status_.runs = static_cast<std::uint32_t>(series_.size());
+}
+
+bool SimulationNode::run_series() {
+  readers_.wait(parameters_.timeout);
+  for (const Scene& scene : series_) {
+    if (interrupted()) break;
+    simulate(scene);
+    ++status_.run;
+  }
+  streams_.close();
+  ros::WallDuration(parameters_.linger).sleep();
+  return !interrupted();
+}
+
+void SimulationNode::simulate(const Scene& scene) {
+  Run run(scene);
+  start(scene, run);
+  publish_status(run, lattice_impact::RunStatus::RUNNING);
+  publish_output(run);
+  try {
+    while (!run.finished() && !interrupted()) {
+      run.advance();
+      publish_output(run);
+    }
+  } catch (const RunFailure& failure) {
+    publish_status(run, lattice_impact::RunStatus::FAILED, failure.what());
+    streams_.close();
+    throw;
+  }
+  publish_status(run, run.finished() ? lattice_impact::RunStatus::FINISHED
+                                     : lattice_impact::RunStatus::INTERRUPTED);
+  pacing_.wait(status_.run, status_.states, parameters_.timeout);
+  run_start_ = status_.header.stamp + ros::Duration(1.0);
+}
+
+void SimulationNode::start(const Scene& scene, const Run& run) {
+  status_.sequence = 0;
+  status_.states = 0;
+  status_.scene = to_yaml(scene);
+  status_.integrator = "verlet";
+  status_.terms = run.simulation().field().terms();
+
+  lattice_impact::Lattice lattice = to_message(run.lattice());
+  lattice.header.stamp = stamp(run);
+  lattice.run = status_.run;
+  lattice.name = "disk";
+  lattice.point_mass = run.simulation().field().point_mass;
+  streams_.send(lattice);
+}
+
+void SimulationNode::publish_output(Run& run) {
+  const ContactReport report = run.take_contact_report();
+  lattice_impact::ParticleStates states = to_message(run.state());
+  lattice_impact::ContactForces forces = to_message(report);
+  states.header.stamp = forces.header.stamp = stamp(run);
+  states.run = forces.run = status_.run;
+  states.sequence = forces.sequence = status_.states;
+  streams_.send(states);
+  streams_.send(forces);
+  ++status_.states;
+  if (status_.states % kStatusInterval == 0) {
+    publish_status(run, lattice_impact::RunStatus::RUNNING);
+  }
+  viewer_.publish(states.header.stamp, run.lattice(), run.state(), report);
+  if (clock_) {
+    rosgraph_msgs::Clock clock;
+    clock.clock = states.header.stamp;
+    clock_.publish(clock);
+  }
+  keep_pace();
+}
+
+void SimulationNode::publish_status(const Run& run, std::uint8_t phase, const std::string& error) {
+  const bool ended = phase == lattice_impact::RunStatus::FINISHED;
+  status_.header.stamp = stamp(run);
+  status_.phase = phase;
+  status_.progress = ended ? 1.0 : std::min(1.0, run.state().time / run.expected_time());
+  status_.step_size = run.simulation().step_size();
+  status_.flags = run.flags();
+  status_.error = error;
+  status_.energy = to_message(run.simulation().ledger(), run.energy_error());
+  streams_.send(status_);
+  ++status_.sequence;
+}
+
+void SimulationNode::keep_pace() {
+  ros::spinOnce();
+  diagnostics_.update();
+  pacing_.wait(status_.run, static_cast<std::int64_t>(status_.states) - kWindow,
+               parameters_.timeout);
+  if (rate_) rate_->sleep();
+}
+
+void SimulationNode::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  status.summaryf(diagnostic_msgs::DiagnosticStatus::OK, "run %u of %u", status_.run + 1,
+                  status_.runs);
+  status.add("progress", status_.progress);
+  status.add("states published", status_.states);
+  status.add("energy error", status_.energy.error);
+}
+
+ros::Time SimulationNode::stamp(const Run& run) const {
+  return run_start_ + ros::Duration(run.state().time * parameters_.seconds_per_time_unit);
+}
+
+}  // namespace impact

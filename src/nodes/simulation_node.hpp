@@ -1,0 +1,58 @@
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/ros.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "nodes/data_streams.hpp"
+#include "nodes/node_parameters.hpp"
+#include "nodes/readers.hpp"
+#include "nodes/viewer.hpp"
+#include "run/run.hpp"
+#include "scene/scene.hpp"
+
+namespace impact {
+
+/// Composes every run of the series, so that bad input is found before anything runs, and
+/// forecasts the size of its messages.
+/// @throw InputError as compose(), and when the bag would not fit on its disk.
+void check_series(const SimulationNodeParameters& parameters, const std::vector<Scene>& series);
+
+/// Simulates a series of runs, one after another, and publishes them.
+class SimulationNode {
+ public:
+  SimulationNode(const SimulationNodeParameters& parameters, std::vector<Scene> series);
+
+  /// Runs the series. False when it was interrupted.
+  /// @throw RunFailure when a run cannot go on, after that has been published and the bag closed;
+  /// std::runtime_error when a reader is missing.
+  bool run_series();
+
+ private:
+  void simulate(const Scene& scene);
+  void start(const Scene& scene, const Run& run);
+  void publish_output(Run& run);
+  void publish_status(const Run& run, std::uint8_t phase, const std::string& error = {});
+  void keep_pace();
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+  ros::Time stamp(const Run& run) const;
+
+  SimulationNodeParameters parameters_;
+  std::vector<Scene> series_;
+  ros::NodeHandle node_;
+  Readers readers_;
+  DataStreams streams_;
+  Pacing pacing_;
+  Viewer viewer_;
+  ros::Publisher clock_;
+  diagnostic_updater::Updater diagnostics_;
+  std::optional<ros::WallRate> rate_;
+
+  ros::Time run_start_{1.0};          ///< simulated; a bag refuses the stamp 0
+  lattice_impact::RunStatus status_;  ///< of the present run, as last published
+};
+
+}  // namespace impact

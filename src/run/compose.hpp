@@ -1,0 +1,30 @@
+#pragma once
+
+#include "lattice/lattice.hpp"
+#include "mechanics/force_field.hpp"
+#include "mechanics/spectrum.hpp"
+#include "mechanics/state.hpp"
+#include "scene/scene.hpp"
+
+namespace impact {
+
+/// A scene made ready: the terms that it has, and no others, at the start.
+struct Composition {
+  Lattice lattice;
+  ForceField field;
+  State initial;
+  Spectrum spectrum;
+  double step;           ///< R/c; divides the output period
+  double sound_speed;    ///< estimate of c_s for step sizes and waiting times, c
+  double expected_time;  ///< rough time at which the run's question is answered, R/c
+};
+
+/// @throw InputError for a lattice that cannot be used, and for a given step beyond the stability
+/// bound of the lattice and its damping.
+Composition compose(const Scene& scene);
+
+/// The energy of the potential wall that counts as none: numerics.error/100 of the kinetic energy
+/// at the start. In M c².
+double negligible_wall_energy(const Scene& scene);
+
+}  // namespace impact

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+
+#include "mechanics/simulation.hpp"
+#include "run/compose.hpp"
+#include "scene/scene.hpp"
+
+namespace impact {
+
+/// Knows when the question of a run is answered. Asked after every step, so that the end does not
+/// depend on the output period.
+class EndOfRun {
+ public:
+  virtual ~EndOfRun() = default;
+  virtual bool reached(const Simulation& simulation) = 0;
+  /// The flag of a run that is given up before its end is reached.
+  virtual const char* flag_if_given_up() const = 0;
+};
+
+/// The disk has left the wall for good: the wall has held more than the negligible energy, has
+/// held less for a time of 5 R/c_s, longer than the period of the disk's slowest vibration, and
+/// the centre of mass moves away.
+class SeparationEnd : public EndOfRun {
+ public:
+  SeparationEnd(double negligible_energy, double sound_speed);
+  bool reached(const Simulation& simulation) override;
+  const char* flag_if_given_up() const override { return "not_separated"; }
+
+ private:
+  double negligible_energy_;
+  double waiting_time_;
+  bool touched_ = false;
+  double last_touch_ = 0.0;
+};
+
+/// The disk rests. Looked at once every R/c: no component of the static force on any point exceeds
+/// error/10 of P/N (or 2·10⁻¹⁵ k_a R, where rounding ends), and no component of a velocity
+/// error/10 of P/√(M k_a).
+class RestEnd : public EndOfRun {
+ public:
+  RestEnd(const Scene& scene, Eigen::Index points);
+  bool reached(const Simulation& simulation) override;
+  const char* flag_if_given_up() const override { return "not_at_rest"; }
+
+ private:
+  double largest_force_;
+  double largest_speed_;
+  double next_look_ = 0.0;
+};
+
+std::unique_ptr<EndOfRun> end_of_run(const Scene& scene, const Composition& composition);
+
+}  // namespace impact

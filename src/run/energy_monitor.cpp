@@ -1,0 +1,33 @@
+#include "run/energy_monitor.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace impact {
+namespace {
+
+double active_energy(const EnergyLedger& ledger) {
+  return ledger.kinetic() + ledger.bonds + ledger.wall;
+}
+
+}  // namespace
+
+EnergyMonitor::EnergyMonitor(const EnergyLedger& start)
+    : total_at_start_(start.total()), largest_energy_(active_energy(start)) {}
+
+void EnergyMonitor::check(const Simulation& simulation) {
+  const EnergyLedger ledger = simulation.ledger();
+  const double deviation = std::abs(ledger.total() - total_at_start_);
+  if (!(deviation <= std::max(largest_energy_, ledger.dissipated))) {
+    throw RunFailure(fmt::format(
+        "the energy balance broke at t = {:.6g} R/c (total {:.3g}, at the start {:.3g} M c²): the "
+        "step {:.3g} R/c does not hold the motion",
+        simulation.state().time, ledger.total(), total_at_start_, simulation.step_size()));
+  }
+  largest_deviation_ = std::max(largest_deviation_, deviation);
+  largest_energy_ = std::max(largest_energy_, active_energy(ledger));
+}
+
+}  // namespace impact

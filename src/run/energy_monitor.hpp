@@ -1,0 +1,34 @@
+#pragma once
+
+#include <stdexcept>
+
+#include "mechanics/simulation.hpp"
+
+namespace impact {
+
+/// A run that cannot go on; `what()` is one line with the cause.
+class RunFailure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Watches that no energy appears or disappears.
+class EnergyMonitor {
+ public:
+  explicit EnergyMonitor(const EnergyLedger& start);
+
+  /// @throw RunFailure when the total has changed by more than the largest energy so far, or is
+  /// not finite.
+  void check(const Simulation& simulation);
+
+  /// Largest deviation of the ledger's total from the start, over the largest sum of kinetic, bond
+  /// and wall energy, of all checks so far.
+  double error() const { return largest_deviation_ / largest_energy_; }
+
+ private:
+  double total_at_start_;
+  double largest_energy_;
+  double largest_deviation_ = 0.0;
+};
+
+}  // namespace impact

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mechanics/simulation.hpp"
+#include "run/compose.hpp"
+#include "run/contact_recorder.hpp"
+#include "run/end_of_run.hpp"
+#include "run/energy_monitor.hpp"
+#include "scene/scene.hpp"
+
+namespace impact {
+
+/// One run of a scene, from output to output until its question is answered (see EndOfRun) or
+/// until 20 times the expected time has passed.
+class Run {
+ public:
+  /// @throw InputError as compose().
+  explicit Run(const Scene& scene) : Run(scene, compose(scene)) {}
+  Run(const Scene& scene, Composition composition);
+
+  /// Goes on to the next output time, or to the end if that comes first.
+  /// @throw RunFailure when the energy balance breaks.
+  void advance();
+
+  bool finished() const { return finished_; }
+  const Lattice& lattice() const { return lattice_; }
+  const Simulation& simulation() const { return simulation_; }
+  const State& state() const { return simulation_.state(); }
+  double expected_time() const { return expected_time_; }
+
+  ContactReport take_contact_report() { return recorder_.take(simulation_); }
+
+  /// See EnergyMonitor; looked at every 64 steps and at the end.
+  double energy_error() const { return monitor_.error(); }
+
+  /// What a reader should know of the run: `starts_in_wall` (the wall's energy at the start exceeds
+  /// what numerics.error allows), `step_reduced` (the wall grew too stiff for the step, which was
+  /// halved), `not_separated` or `not_at_rest` (given up).
+  const std::vector<std::string>& flags() const { return flags_; }
+
+  /// Largest e that energy allows: √(1 + 2U₀/(M v²)) with the wall's energy U₀ at the start.
+  double restitution_bound() const { return restitution_bound_; }
+
+ private:
+  void observe_step();
+  void finish();
+
+  Scene scene_;
+  double expected_time_;
+  std::unique_ptr<EndOfRun> end_;
+  Lattice lattice_;
+  Simulation simulation_;
+  EnergyMonitor monitor_;
+  ContactRecorder recorder_;
+  double restitution_bound_ = 0.0;
+  std::uint64_t outputs_ = 0;
+  bool finished_ = false;
+  std::vector<std::string> flags_;
+};
+
+}  // namespace impact

@@ -1,0 +1,80 @@
+#include "run/step_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "lattice/input_error.hpp"
+#include "mechanics/velocity_verlet.hpp"
+
+namespace impact {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kAccuracyFactor = 0.5;
+constexpr double kStabilityFactor = 0.9;
+
+double automatic_step(const Scene& scene, const Spectrum& spectrum, const PotentialWall& wall,
+                      int points, double sound_speed) {
+  const double stiffness = wall.stiffness(largest_point_force(scene, points, sound_speed));
+  const double omega_squared = spectrum.omega_squared + stiffness * points;
+  const double step = std::min(kAccuracyFactor * 2.0 / std::sqrt(omega_squared),
+                               kStabilityFactor * verlet_step_limit(omega_squared, spectrum.gamma));
+  return round_down_to_125(step);
+}
+
+double divide_period(double period, double step) {
+  constexpr double kRounding = 1e-9;
+  const double steps = period / step;
+  if (steps > 0.5 && std::abs(steps - std::round(steps)) < kRounding * steps) return step;
+  return period / std::ceil(steps);
+}
+
+}  // namespace
+
+double largest_point_force(const Scene& scene, int points, double sound_speed) {
+  double total = 2.0 * scene.load.p;
+  if (scene.kind == SceneKind::kCollision) {
+    const double v = scene.impact.velocity;
+    total = v * sound_speed / std::sqrt(std::max(1.0, std::log(4.0 * sound_speed / v)));
+  }
+  const double young_modulus = sound_speed * sound_speed / kPi;
+  const double stopping_one_point =
+      scene.kind == SceneKind::kCollision
+          ? 0.5 * scene.wall.a * scene.impact.velocity * scene.impact.velocity / points
+          : 0.0;
+  const double half_width = std::sqrt(4.0 * total / (kPi * young_modulus));
+  const double peak_pressure = 2.0 * total / (kPi * half_width);
+  const double share = std::min(total, 2.0 * peak_pressure * std::sqrt(kPi / points));
+  return std::max(share, stopping_one_point);
+}
+
+double choose_step(const Scene& scene, const Spectrum& spectrum, const PotentialWall& wall,
+                   int points, double sound_speed) {
+  if (!scene.numerics.step) {
+    const double step = automatic_step(scene, spectrum, wall, points, sound_speed);
+    return divide_period(scene.output.period, step);
+  }
+  const double limit = verlet_step_limit(spectrum.omega_squared, spectrum.gamma);
+  if (*scene.numerics.step > limit) {
+    throw InputError(fmt::format(
+        "numerics.step: got {}, allowed: at most {:.4g} R/c, the stability limit of velocity "
+        "Verlet on this lattice with this damping",
+        *scene.numerics.step, limit));
+  }
+  return divide_period(scene.output.period, *scene.numerics.step);
+}
+
+double round_down_to_125(double value) {
+  const auto exponent = static_cast<int>(std::floor(std::log10(value)));
+  double best = std::stod(fmt::format("5e{}", exponent - 1));
+  for (const int digit : {1, 2, 5}) {
+    const double candidate = std::stod(fmt::format("{}e{}", digit, exponent));
+    if (candidate <= value) best = candidate;
+  }
+  return best;
+}
+
+}  // namespace impact

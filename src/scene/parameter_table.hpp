@@ -1,0 +1,247 @@
+#pragma once
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lattice/input_error.hpp"
+
+namespace impact {
+
+/// The leaves of a YAML tree of maps by their dotted path: {"impact.velocity": 0.01, …}.
+using FlatTree = std::map<std::string, YAML::Node>;
+
+/// @throw InputError when the tree is neither a map nor empty, or when a map is nested in a list.
+FlatTree flatten(const YAML::Node& tree);
+
+/// An interval of allowed numbers; written `[low, high]`, `(low, high]`, ….
+struct Interval {
+  double low;
+  double high;
+  bool low_included = true;
+
+  bool contains(double value) const {
+    return (low_included ? value >= low : value > low) && value <= high;
+  }
+  std::string text() const {
+    return fmt::format("{}{:g}, {:g}]", low_included ? '[' : '(', low, high);
+  }
+};
+
+/// One parameter of the struct `T`: the single place from which its validation, its writing and
+/// its line in the README come.
+template <class T>
+struct Parameter {
+  std::string key;      ///< dotted path
+  std::string unit;     ///< "-" for none
+  std::string allowed;  ///< type and range, as shown in errors and in the README
+  std::string meaning;
+  /// False when this parameter does not exist for this struct (a load in a collision).
+  std::function<bool(const T&)> applies = [](const T&) { return true; };
+  /// Sets the value if `node` holds an allowed one; false otherwise.
+  std::function<bool(T&, const YAML::Node&)> read{};
+  std::function<YAML::Node(const T&)> write{};
+};
+
+/// The shortest decimal number that gives the same bits again.
+inline YAML::Node exact(double value) { return YAML::Node(fmt::format("{}", value)); }
+
+template <class V>
+std::optional<V> scalar(const YAML::Node& node) {
+  V value{};
+  if (!node.IsScalar() || !YAML::convert<V>::decode(node, value)) return std::nullopt;
+  return value;
+}
+
+inline std::optional<double> number_in(const YAML::Node& node, const Interval& interval) {
+  const std::optional<double> value = scalar<double>(node);
+  return value && std::isfinite(*value) && interval.contains(*value) ? value : std::nullopt;
+}
+
+/// A real number. `member` returns a reference to it, given a `T&`.
+template <class T, class Member>
+Parameter<T> real(std::string key, std::string unit, Interval interval, std::string meaning,
+                  Member member) {
+  Parameter<T> parameter{std::move(key), std::move(unit), "number in " + interval.text(),
+                         std::move(meaning)};
+  parameter.read = [interval, member](T& target, const YAML::Node& node) {
+    const auto value = number_in(node, interval);
+    if (value) member(target) = *value;
+    return value.has_value();
+  };
+  parameter.write = [member](T target) { return exact(member(target)); };
+  return parameter;
+}
+
+/// A real number or the word `auto`, held as std::optional<double>.
+template <class T, class Member>
+Parameter<T> real_or_auto(std::string key, std::string unit, Interval interval, std::string meaning,
+                          Member member) {
+  Parameter<T> parameter{std::move(key), std::move(unit), "auto or number in " + interval.text(),
+                         std::move(meaning)};
+  parameter.read = [interval, member](T& target, const YAML::Node& node) {
+    if (node.IsScalar() && node.Scalar() == "auto") {
+      member(target).reset();
+      return true;
+    }
+    member(target) = number_in(node, interval);
+    return member(target).has_value();
+  };
+  parameter.write = [member](T target) {
+    return member(target) ? exact(*member(target)) : YAML::Node("auto");
+  };
+  return parameter;
+}
+
+template <class T, class Member>
+Parameter<T> whole(std::string key, std::int64_t low, std::int64_t high, std::string meaning,
+                   Member member) {
+  Parameter<T> parameter{std::move(key), "-", fmt::format("whole number in [{}, {}]", low, high),
+                         std::move(meaning)};
+  parameter.read = [low, high, member](T& target, const YAML::Node& node) {
+    const auto value = scalar<std::int64_t>(node);
+    if (!value || *value < low || *value > high) return false;
+    member(target) = static_cast<std::decay_t<decltype(member(target))>>(*value);
+    return true;
+  };
+  parameter.write = [member](T target) { return YAML::Node(member(target)); };
+  return parameter;
+}
+
+template <class T, class Member>
+Parameter<T> flag(std::string key, std::string meaning, Member member) {
+  Parameter<T> parameter{std::move(key), "-", "true or false", std::move(meaning)};
+  parameter.read = [member](T& target, const YAML::Node& node) {
+    const auto value = scalar<bool>(node);
+    if (value) member(target) = *value;
+    return value.has_value();
+  };
+  parameter.write = [member](T target) { return YAML::Node(member(target)); };
+  return parameter;
+}
+
+/// One of several words, each standing for a value.
+template <class T, class V, class Member>
+Parameter<T> choice(std::string key, std::vector<std::pair<std::string, V>> words,
+                    std::string meaning, Member member) {
+  std::string allowed;
+  for (const auto& word : words) allowed += (allowed.empty() ? "" : " or ") + word.first;
+  Parameter<T> parameter{std::move(key), "-", std::move(allowed), std::move(meaning)};
+  parameter.read = [words, member](T& target, const YAML::Node& node) {
+    for (const auto& word : words) {
+      if (!node.IsScalar() || node.Scalar() != word.first) continue;
+      member(target) = word.second;
+      return true;
+    }
+    return false;
+  };
+  parameter.write = [words, member](T target) {
+    for (const auto& word : words) {
+      if (member(target) == word.second) return YAML::Node(word.first);
+    }
+    return YAML::Node();
+  };
+  return parameter;
+}
+
+template <class T, class Member>
+Parameter<T> text(std::string key, std::string meaning, Member member) {
+  Parameter<T> parameter{std::move(key), "-", "text", std::move(meaning)};
+  parameter.read = [member](T& target, const YAML::Node& node) {
+    if (!node.IsScalar()) return false;
+    member(target) = node.Scalar();
+    return true;
+  };
+  parameter.write = [member](T target) { return YAML::Node(member(target)); };
+  return parameter;
+}
+
+template <class T, class Member>
+Parameter<T> texts(std::string key, std::string meaning, Member member) {
+  Parameter<T> parameter{std::move(key), "-", "list of texts", std::move(meaning)};
+  parameter.read = [member](T& target, const YAML::Node& node) {
+    if (!node.IsSequence()) return false;
+    member(target).clear();
+    for (const YAML::Node& element : node) {
+      if (!element.IsScalar()) return false;
+      member(target).push_back(element.Scalar());
+    }
+    return true;
+  };
+  parameter.write = [member](T target) {
+    YAML::Node list(YAML::NodeType::Sequence);
+    for (const std::string& element : member(target)) list.push_back(element);
+    return list;
+  };
+  return parameter;
+}
+
+/// The error for a key that cannot take what it was given.
+inline InputError bad_value(const std::string& key, const std::string& got,
+                            const std::string& allowed) {
+  return InputError(fmt::format("{}: got {}, allowed: {}", key, got, allowed));
+}
+
+/// The value as one line, for an error.
+std::string one_line(const YAML::Node& node);
+
+/// Sets every parameter of `target` that `values` names, in the order of the table.
+/// @throw InputError for a name that the table does not have or that does not apply, a wrong type
+/// and a value out of range: one line with key, value and what is allowed.
+template <class T>
+void read_parameters(const std::vector<Parameter<T>>& table, const FlatTree& values, T& target) {
+  for (const Parameter<T>& parameter : table) {
+    const auto found = values.find(parameter.key);
+    if (found == values.end() || !parameter.applies(target)) continue;
+    if (!parameter.read(target, found->second)) {
+      throw bad_value(parameter.key, one_line(found->second), parameter.allowed);
+    }
+  }
+  for (const auto& value : values) {
+    std::string names;
+    bool known = false;
+    for (const Parameter<T>& parameter : table) {
+      if (!parameter.applies(target)) continue;
+      known = known || parameter.key == value.first;
+      names += (names.empty() ? "" : ", ") + parameter.key;
+    }
+    if (!known) throw InputError(fmt::format("{}: unknown key, allowed: {}", value.first, names));
+  }
+}
+
+/// The parameters that apply to `target`, as a YAML tree that reads back to the same bits.
+template <class T>
+YAML::Node write_parameters(const std::vector<Parameter<T>>& table, const T& target) {
+  YAML::Node root(YAML::NodeType::Map);
+  for (const Parameter<T>& parameter : table) {
+    if (!parameter.applies(target)) continue;
+    const std::size_t dot = parameter.key.find('.');
+    if (dot == std::string::npos) {
+      root[parameter.key] = parameter.write(target);
+    } else {
+      root[parameter.key.substr(0, dot)][parameter.key.substr(dot + 1)] = parameter.write(target);
+    }
+  }
+  return root;
+}
+
+/// The table as Markdown, with the values of `defaults`, for the README.
+template <class T>
+std::string markdown_table(const std::vector<Parameter<T>>& table, const T& defaults) {
+  std::string rows = "| key | allowed | unit | default | meaning |\n|---|---|---|---|---|\n";
+  for (const Parameter<T>& parameter : table) {
+    rows += fmt::format("| `{}` | {} | {} | `{}` | {} |\n", parameter.key, parameter.allowed,
+                        parameter.unit, one_line(parameter.write(defaults)), parameter.meaning);
+  }
+  return rows;
+}
+
+}  // namespace impact

@@ -1,0 +1,188 @@
+// The analysis node's numbers, straight from a bag, and whether the bag holds all that was
+// published.
+
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "nodes/series_analysis.hpp"
+#include "scene/parameter_table.hpp"
+#include "tools/program.hpp"
+
+namespace impact {
+namespace {
+
+/// The topics of one namespace: what was recorded, what was published, and the results.
+class Pipeline {
+ public:
+  explicit Pipeline(const std::string& name_space)
+      : analysis_({[this](const lattice_impact::Strain& strain) { add_result(strain); },
+                   [this](const lattice_impact::Restitution& result) { add_result(result); },
+                   [](std::uint32_t, std::uint32_t) {},
+                   [this, name_space](const std::string& problem) {
+                     complete_ = false;
+                     fmt::print(stderr, "analyse_bag: {}: {}\n", name_space, problem);
+                   }}) {}
+
+  void add(const rosbag::MessageInstance& message) {
+    take<lattice_impact::Lattice>(message) || take<lattice_impact::ParticleStates>(message) ||
+        take<lattice_impact::ContactForces>(message) || take_status(message) ||
+        count<lattice_impact::Strain>(message) || count<lattice_impact::Restitution>(message);
+  }
+
+  void close() {
+    analysis_.close();
+    for (const auto& status : last_status_) {
+      published_[type<lattice_impact::Lattice>()] += 1;
+      published_[type<lattice_impact::ParticleStates>()] += status.second.states;
+      published_[type<lattice_impact::ContactForces>()] += status.second.states;
+      published_[type<lattice_impact::RunStatus>()] += status.second.sequence + 1;
+    }
+    for (const auto& topic : topics_) {
+      complete_ = complete_ && topic.second.recorded == published_[topic.second.type];
+    }
+  }
+
+  bool has_runs() const { return !topics_.empty(); }
+  bool complete() const { return complete_; }
+
+  YAML::Node topics() {
+    YAML::Node node;
+    for (const auto& topic : topics_) {
+      YAML::Node counts;
+      counts["published"] = published_[topic.second.type];
+      counts["recorded"] = topic.second.recorded;
+      counts.SetStyle(YAML::EmitterStyle::Flow);
+      node[topic.first] = counts;
+    }
+    return node;
+  }
+
+  const std::vector<YAML::Node>& results() const { return results_; }
+
+ private:
+  struct Topic {
+    std::string type;
+    std::uint64_t recorded = 0;
+  };
+
+  template <class Message>
+  static std::string type() {
+    return ros::message_traits::DataType<Message>::value();
+  }
+
+  template <class Message>
+  bool count(const rosbag::MessageInstance& message) {
+    if (!message.isType<Message>()) return false;
+    Topic& topic = topics_[message.getTopic()];
+    topic.type = type<Message>();
+    ++topic.recorded;
+    return true;
+  }
+
+  template <class Message>
+  bool take(const rosbag::MessageInstance& message) {
+    if (!count<Message>(message)) return false;
+    analysis_.add(*message.instantiate<Message>());
+    return true;
+  }
+
+  bool take_status(const rosbag::MessageInstance& message) {
+    if (!message.isType<lattice_impact::RunStatus>()) return false;
+    const auto status = message.instantiate<lattice_impact::RunStatus>();
+    last_status_[status->run] = *status;
+    return take<lattice_impact::RunStatus>(message);
+  }
+
+  void add_result(const lattice_impact::Strain& strain) {
+    ++published_[type<lattice_impact::Strain>()];
+    if (strain.at_rest == 0) return;
+    YAML::Node node;
+    node["run"] = strain.run;
+    node["strain"] = exact(strain.strain);
+    node["strain_from_radius"] = exact(strain.strain_from_radius);
+    node["rotation"] = exact(strain.rotation);
+    node["wall_force"] = exact(strain.force);
+    results_.push_back(node);
+  }
+
+  void add_result(const lattice_impact::Restitution& restitution) {
+    ++published_[type<lattice_impact::Restitution>()];
+    if (restitution.ended == 0) return;
+    YAML::Node node;
+    node["run"] = restitution.run;
+    node["complete"] = restitution.complete != 0;
+    node["velocity"] = exact(-restitution.velocity_before);
+    node["restitution"] = exact(restitution.restitution);
+    node["tangential_velocity_after"] = exact(restitution.tangential_velocity_after);
+    node["spin_after"] = exact(restitution.spin_after);
+    node["contact_begin"] = exact(restitution.contact_begin);
+    node["contact_end"] = exact(restitution.contact_end);
+    node["contact_duration"] = exact(restitution.contact_duration);
+    node["peak_force"] = exact(restitution.peak_force);
+    node["impulse"] = exact(restitution.impulse);
+    node["flags"] = YAML::Node(YAML::NodeType::Sequence);
+    node["flags"].SetStyle(YAML::EmitterStyle::Flow);
+    for (const std::string& flag : restitution.flags) node["flags"].push_back(flag);
+    results_.push_back(node);
+  }
+
+  SeriesAnalysis analysis_;
+  std::map<std::string, Topic> topics_;                             ///< recorded, by name
+  std::map<std::string, std::uint64_t> published_;                  ///< by type
+  std::map<std::uint32_t, lattice_impact::RunStatus> last_status_;  ///< by run
+  std::vector<YAML::Node> results_;
+  bool complete_ = true;
+};
+
+std::string name_space_of(const std::string& topic) {
+  const std::size_t slash = topic.rfind('/');
+  return slash == 0 || slash == std::string::npos ? "/" : topic.substr(0, slash);
+}
+
+void analyse(const std::string& file) {
+  rosbag::Bag bag;
+  try {
+    bag.open(file, rosbag::bagmode::Read);
+  } catch (const rosbag::BagUnindexedException&) {
+    throw InputError(fmt::format("{} was not closed: mend it with `rosbag reindex`", file));
+  } catch (const rosbag::BagException& error) {
+    throw InputError(fmt::format("{} cannot be read: {}", file, error.what()));
+  }
+
+  std::map<std::string, Pipeline> pipelines;
+  for (const rosbag::MessageInstance& message : rosbag::View(bag)) {
+    const std::string name_space = name_space_of(message.getTopic());
+    pipelines.try_emplace(name_space, name_space).first->second.add(message);
+  }
+
+  bool complete = true;
+  YAML::Node document;
+  for (auto& pipeline : pipelines) {
+    pipeline.second.close();
+    if (!pipeline.second.has_runs()) continue;
+    YAML::Node node;
+    node["topics"] = pipeline.second.topics();
+    for (const YAML::Node& result : pipeline.second.results()) node["runs"].push_back(result);
+    document[pipeline.first] = node;
+    complete = complete && pipeline.second.complete();
+  }
+  if (document.IsNull()) throw InputError(fmt::format("{} holds no run", file));
+  fmt::print("{}\n", YAML::Dump(document));
+  if (!complete) throw std::runtime_error(fmt::format("{} is not complete", file));
+}
+
+}  // namespace
+}  // namespace impact
+
+int main(int argc, char** argv) {
+  CLI::App app("Analyses a recorded series and counts its messages; result as YAML.",
+               "analyse_bag");
+  std::string file;
+  app.add_option("bag", file, "the bag")->required();
+  return impact::run_tool(app, argc, argv, [&] { impact::analyse(file); });
+}

@@ -1,0 +1,72 @@
+#include "measure/impact_analysis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace impact {
+namespace {
+
+State square_with_velocity(double vx, double vy, double spin) {
+  State state;
+  state.position.resize(4, 2);
+  state.position << 1, 1, -1, 1, -1, -1, 1, -1;
+  state.velocity.resize(4, 2);
+  state.velocity.col(0) = vx - spin * state.position.col(1);
+  state.velocity.col(1) = vy + spin * state.position.col(0);
+  return state;
+}
+
+/// A triangular pulse of height 2 and base 2 about t = 2.
+double force(double time) { return std::max(0.0, 2.0 - 2.0 * std::abs(time - 2.0)); }
+
+/// The impact, with a report every `period` steps of 1/8.
+Restitution analysed(int period, bool separated) {
+  ImpactAnalysis analysis;
+  analysis.add(square_with_velocity(0.0, -2.0, 0.0));
+  ContactReport report;
+  for (int k = 0; k <= 32; ++k) {
+    report.samples.push_back({k / 8.0, force(k / 8.0)});
+    if (k % period == 0) {
+      analysis.add(report);
+      report = ContactReport{};
+    }
+  }
+  analysis.add(report);
+  analysis.add(square_with_velocity(0.25, 1.5, -0.5));
+  return analysis.restitution(separated);
+}
+
+TEST(ImpactAnalysis, ComparesTheMotionBeforeAndAfter) {
+  const Restitution result = analysed(1, true);
+  EXPECT_EQ(result.velocity_before, -2.0);
+  EXPECT_EQ(result.velocity_after, 1.5);
+  EXPECT_EQ(result.restitution, 0.75);
+  EXPECT_EQ(result.tangential_velocity_after, 0.25);
+  EXPECT_DOUBLE_EQ(result.spin_after, -0.5);
+  EXPECT_EQ(result.peak_force, 2.0);
+  EXPECT_DOUBLE_EQ(result.impulse, 2.0);
+  // 2·10⁻³ is crossed one thousandth of the way up and down, linearly from and to zero.
+  EXPECT_NEAR(result.contact_begin, 1.001, 1e-12);
+  EXPECT_NEAR(result.contact_end, 2.999, 1e-12);
+}
+
+TEST(ImpactAnalysis, DoesNotDependOnHowOftenItIsTold) {
+  const Restitution often = analysed(1, true);
+  const Restitution seldom = analysed(10, true);
+  EXPECT_EQ(often.impulse, seldom.impulse);
+  EXPECT_EQ(often.contact_begin, seldom.contact_begin);
+  EXPECT_EQ(often.contact_duration, seldom.contact_duration);
+}
+
+TEST(ImpactAnalysis, KnowsNoResultBeforeTheDiskHasLeft) {
+  EXPECT_TRUE(std::isnan(ImpactAnalysis().restitution(false).velocity_before));
+  const Restitution result = analysed(1, false);
+  EXPECT_EQ(result.velocity_before, -2.0);
+  EXPECT_TRUE(std::isnan(result.restitution));
+  EXPECT_TRUE(std::isnan(result.contact_duration));
+  EXPECT_TRUE(std::isnan(result.peak_force));
+}
+
+}  // namespace
+}  // namespace impact

@@ -1,0 +1,145 @@
+#include "mechanics/bond_forces.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "test_lattices.hpp"
+
+namespace impact {
+namespace {
+
+PointArray forces(const BondForces& bonds, const PointArray& position, const PointArray& velocity) {
+  PointArray force = PointArray::Zero(position.rows(), 2);
+  bonds.add_forces(position, velocity, force);
+  return force;
+}
+
+PointArray random_points(Eigen::Index count, unsigned seed) {
+  std::srand(seed);
+  return PointArray::Random(count, 2);
+}
+
+/// Eq. (1) by hand: elongation 0.5, f = k_a x + k_b x³ towards the other point.
+TEST(BondForces, OfOneStretchedBond) {
+  const BondForces bonds(two_points(), {2.0, 3.0, 0.0});
+  PointArray position(2, 2);
+  position << 0, 0, 0, 1.5;
+  const PointArray force = forces(bonds, position, PointArray::Zero(2, 2));
+  const double tension = 2.0 * 0.5 + 3.0 * 0.125;
+  EXPECT_DOUBLE_EQ(force(0, 1), tension);
+  EXPECT_DOUBLE_EQ(force(1, 1), -tension);
+  EXPECT_EQ(force(0, 0), 0.0);
+  EXPECT_DOUBLE_EQ(bonds.potential_energy(position), 2.0 * 0.25 / 2 + 3.0 * 0.0625 / 4);
+}
+
+/// The damping is the whole relative velocity, also across the bond.
+TEST(BondForces, DampingResistsTheWholeRelativeVelocity) {
+  const BondForces bonds(two_points(), {1.0, 0.0, 0.5});
+  PointArray velocity(2, 2);
+  velocity << 1, 2, 0, -1;
+  PointArray force = PointArray::Zero(2, 2);
+  const double power = bonds.add_forces(two_points().points, velocity, force);
+  EXPECT_DOUBLE_EQ(force(0, 0), -0.5 * 1.0);
+  EXPECT_DOUBLE_EQ(force(0, 1), -0.5 * 3.0);
+  EXPECT_DOUBLE_EQ(force(1, 0), 0.5 * 1.0);
+  EXPECT_DOUBLE_EQ(force(1, 1), 0.5 * 3.0);
+  EXPECT_DOUBLE_EQ(power, 0.5 * (1.0 + 9.0));
+}
+
+class EveryLaw : public testing::TestWithParam<BondLaw> {};
+
+TEST_P(EveryLaw, ConservesLinearMomentum) {
+  const Lattice lattice = triangular_patch(6);
+  const BondForces bonds(lattice, GetParam());
+  const PointArray position = lattice.points + 0.1 * random_points(36, 1);
+  const PointArray force = forces(bonds, position, random_points(36, 2));
+  // 36 forces of order 10 add up with rounding errors of 10⁻¹⁶ each.
+  EXPECT_NEAR(force.col(0).sum(), 0.0, 1e-12);
+  EXPECT_NEAR(force.col(1).sum(), 0.0, 1e-12);
+}
+
+TEST_P(EveryLaw, ForceIsMinusTheGradientOfTheEnergy) {
+  const Lattice lattice = triangular_patch(4);
+  const BondForces bonds(lattice, GetParam());
+  const PointArray position = lattice.points + 0.1 * random_points(16, 1);
+  const PointArray force = forces(bonds, position, PointArray::Zero(16, 2));
+  constexpr double kStep = 1e-6;
+  for (Eigen::Index i = 0; i < force.size(); ++i) {
+    PointArray above = position;
+    PointArray below = position;
+    above.data()[i] += kStep;
+    below.data()[i] -= kStep;
+    const double slope =
+        (bonds.potential_energy(above) - bonds.potential_energy(below)) / (2.0 * kStep);
+    // Central differences: truncation of order step² and rounding of order 10⁻¹⁵/step.
+    EXPECT_NEAR(force.data()[i], -slope, 1e-8);
+  }
+}
+
+TEST_P(EveryLaw, TorqueVanishesWithoutDampingOnly) {
+  const Lattice lattice = triangular_patch(4);
+  const BondForces bonds(lattice, GetParam());
+  PointArray velocity(16, 2);  // a rigid rotation
+  velocity.col(0) = -lattice.points.col(1);
+  velocity.col(1) = lattice.points.col(0);
+  const PointArray force = forces(bonds, lattice.points, velocity);
+  const double torque =
+      (lattice.points.col(0) * force.col(1) - lattice.points.col(1) * force.col(0)).sum();
+  // Rotation at rate 1 has relative velocity l ẑ × n across each bond: torque −η Σ l².
+  double expected = 0.0;
+  for (const double length : lattice.natural_lengths) expected -= GetParam().eta * length * length;
+  EXPECT_NEAR(torque, expected, 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, EveryLaw,
+                         testing::Values(BondLaw{1.0, 0.0, 0.0}, BondLaw{1.0, 5.0, 0.0},
+                                         BondLaw{2.0, 0.0, 0.7}, BondLaw{2.0, 5.0, 0.7}));
+
+TEST(BondForces, NameTellsWhatIsEvaluated) {
+  const auto name = [](const BondLaw& law) { return BondForces(triangle(), law).name(); };
+  EXPECT_EQ(name({1.0, 0.0, 0.0}), "bonds");
+  EXPECT_EQ(name({1.0, 1.0, 0.0}), "bonds (cubic)");
+  EXPECT_EQ(name({1.0, 0.0, 1.0}), "bonds (damped)");
+  EXPECT_EQ(name({1.0, 1.0, 1.0}), "bonds (cubic, damped)");
+}
+
+/// A law without damping does not read velocities at all.
+TEST(BondForces, WithoutDampingVelocitiesAreNotRead) {
+  const BondForces bonds(two_points(), {1.0, 0.0, 0.0});
+  const PointArray nonsense = PointArray::Constant(2, 2, std::nan(""));
+  EXPECT_TRUE((forces(bonds, two_points().points, nonsense) == 0.0).all());
+}
+
+/// Energy of the middle of a triangular lattice per area under the strain (xx, yy), in units of
+/// k_a: each of the three bonds of a point has energy k_a (n·ε·n)²/2.
+double energy_density(double xx, double yy) {
+  const Lattice lattice = triangular_patch(3);
+  PointArray strained = lattice.points;
+  strained.col(0) *= 1.0 + xx;
+  strained.col(1) *= 1.0 + yy;
+  const int middle = 4;
+  Lattice star{lattice.points, {}, {}};
+  for (std::size_t k = 0; k < lattice.bonds.size(); ++k) {
+    if (lattice.bonds[k].first != middle && lattice.bonds[k].second != middle) continue;
+    star.bonds.push_back(lattice.bonds[k]);
+    star.natural_lengths.push_back(lattice.natural_lengths[k]);
+  }
+  EXPECT_EQ(star.bonds.size(), 6U);
+  const double area = std::sqrt(0.75);
+  return 0.5 * BondForces(star, {1.0, 0.0, 0.0}).potential_energy(strained) / area;
+}
+
+/// E = 2/√3 k_a and ν = 1/3, from the energy of homogeneous strains.
+TEST(BondForces, TriangularLatticeHasItsElasticConstants) {
+  constexpr double kStrain = 1e-5;
+  const double c_11 = 2.0 * energy_density(kStrain, 0.0) / (kStrain * kStrain);
+  const double both = 2.0 * energy_density(kStrain, kStrain) / (kStrain * kStrain);
+  const double c_12 = both / 2.0 - c_11;
+  // The energy is quadratic up to terms of relative order of the strain.
+  EXPECT_NEAR(c_12 / c_11, 1.0 / 3.0, 10.0 * kStrain);
+  EXPECT_NEAR(c_11 - c_12 * c_12 / c_11, 2.0 / std::sqrt(3.0), 10.0 * kStrain);
+}
+
+}  // namespace
+}  // namespace impact

@@ -1,0 +1,35 @@
+#include "mechanics/force_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include "test_lattices.hpp"
+
+namespace impact {
+namespace {
+
+using Names = std::vector<std::string>;
+
+TEST(ForceField, HasOnlyTheTermsItWasGiven) {
+  ForceField field{BondForces(triangle(), {1.0, 0.0, 0.0}), 1.0 / 3.0};
+  EXPECT_EQ(field.terms(), Names{"bonds"});
+  field.wall.emplace(300.0, 0.1);
+  EXPECT_EQ(field.terms(), (Names{"bonds", "potential wall"}));
+  field.load.emplace(0.01);
+  field.hold.emplace(triangle().points);
+  EXPECT_EQ(field.terms(), (Names{"bonds", "potential wall", "compression load", "rotation hold"}));
+}
+
+TEST(ForceField, SumsItsTerms) {
+  ForceField field{BondForces(triangle(), {1.0, 0.0, 0.0}), 1.0 / 3.0};
+  field.wall.emplace(10.0, 0.1);
+  field.load.emplace(0.3);
+  PointArray force(3, 2);
+  field.evaluate(triangle().points, PointArray::Zero(3, 2), force);
+  // At rest in the reference configuration the bonds are silent.
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_DOUBLE_EQ(force(i, 1), field.wall->force_at(triangle().points(i, 1)) - 0.1);
+  }
+}
+
+}  // namespace
+}  // namespace impact

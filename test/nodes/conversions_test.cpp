@@ -1,0 +1,68 @@
+#include "nodes/conversions.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lattice/placement.hpp"
+
+namespace impact {
+namespace {
+
+TEST(Conversions, LatticeRoundTripKeepsEveryBit) {
+  const Lattice lattice = triangulated_lattice(place_in_disk({200}, 1));
+  const Lattice again = from_message(to_message(lattice));
+  EXPECT_TRUE((again.points == lattice.points).all());
+  EXPECT_EQ(again.bonds, lattice.bonds);
+  EXPECT_EQ(again.natural_lengths, lattice.natural_lengths);
+}
+
+TEST(Conversions, StateRoundTripKeepsEveryBit) {
+  State state{1.0 / 3.0, 17, place_in_disk({50}, 1), place_in_disk({50}, 2)};
+  const State again = from_message(to_message(state));
+  EXPECT_EQ(again.time, state.time);
+  EXPECT_EQ(again.step, state.step);
+  EXPECT_TRUE((again.position == state.position).all());
+  EXPECT_TRUE((again.velocity == state.velocity).all());
+}
+
+TEST(Conversions, ContactReportRoundTripKeepsEveryBit) {
+  ContactReport report;
+  report.time = 0.1;
+  report.step = 3;
+  report.points = {{4, {0.0, 1.0 / 7.0}}, {9, {0.5, 0.25}}};
+  report.total = {0.5, 0.25 + 1.0 / 7.0};
+  report.impulse = 0.3;
+  report.peak_force = 0.7;
+  report.samples = {{0.05, 0.7}, {0.1, 0.4}};
+  const ContactReport again = from_message(to_message(report));
+  EXPECT_EQ(again.time, report.time);
+  EXPECT_EQ(again.step, report.step);
+  ASSERT_EQ(again.points.size(), 2U);
+  EXPECT_EQ(again.points[1].point, 9);
+  EXPECT_TRUE((again.points[0].force == report.points[0].force).all());
+  EXPECT_TRUE((again.total == report.total).all());
+  EXPECT_EQ(again.impulse, report.impulse);
+  EXPECT_EQ(again.peak_force, report.peak_force);
+  ASSERT_EQ(again.samples.size(), 2U);
+  EXPECT_EQ(again.samples[1].time, 0.1);
+  EXPECT_EQ(again.samples[1].force, 0.4);
+}
+
+TEST(Conversions, RefuseMessagesThatDoNotFitTogether) {
+  lattice_impact::ParticleStates states =
+      to_message(State{0.0, 0, place_in_disk({5}, 1), place_in_disk({5}, 2)});
+  states.vy.pop_back();
+  EXPECT_THROW(from_message(states), std::runtime_error);
+
+  lattice_impact::Lattice lattice = to_message(triangulated_lattice(place_in_disk({5}, 1)));
+  lattice.bond_second[0] = 5;
+  EXPECT_THROW(from_message(lattice), std::runtime_error);
+  lattice.natural_length.pop_back();
+  EXPECT_THROW(from_message(lattice), std::runtime_error);
+
+  lattice_impact::ContactForces forces;
+  forces.point.push_back(1);
+  EXPECT_THROW(from_message(forces), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace impact

@@ -1,0 +1,102 @@
+#!/usr/bin/python3
+"""Bags that the simulation node writes itself, and bags of runs that were interrupted."""
+
+import os
+import signal
+import tempfile
+import unittest
+
+import rospy
+import rostest
+from lattice_impact.msg import ParticleStates, RunStatus
+
+from programs import (ENDLESS_COLLISION, IMPACT_RESULTS, PACKAGE, SMALL_COLLISION, SMALL_CONTACT,
+                      BagAnalysis, Inbox, bag_messages, impact, launch, random_namespace, simulation)
+
+
+class BagTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.bag = os.path.join(self.folder, 'run.bag')
+        self.namespace = random_namespace()
+
+    def simulate(self, scene, values):
+        with simulation(self.namespace, scene, values, bag=self.bag) as node:
+            self.assertEqual(node.wait(), 0, node.stderr())
+        return self.complete_analysis()
+
+    def complete_analysis(self):
+        analysis = BagAnalysis(self.bag)
+        self.assertEqual(analysis.exit_code, 0, analysis.problems)
+        self.assertEqual(set(analysis.topics),
+                         {self.namespace + '/' + name for name in
+                          ('lattice', 'particle_states', 'contact_forces', 'run_status')})
+        for topic, counts in analysis.topics.items():
+            self.assertEqual(counts['recorded'], counts['published'], topic)
+        return analysis
+
+    def test_collision_without_subscribers(self):
+        run, = self.simulate('collision', SMALL_COLLISION).runs
+        self.assertTrue(run['complete'])
+        expected = impact('collision', SMALL_COLLISION)
+        for key in IMPACT_RESULTS:
+            self.assertEqual(run[key], expected[key], key)
+
+    def test_contact_without_subscribers(self):
+        run, = self.simulate('contact', SMALL_CONTACT).runs
+        expected = impact('contact', SMALL_CONTACT)
+        for key in ('strain', 'strain_from_radius', 'rotation', 'wall_force'):
+            self.assertEqual(run[key], expected[key], key)
+
+    def interrupt_node(self, signal_number):
+        with simulation(self.namespace, 'collision', ENDLESS_COLLISION, bag=self.bag,
+                        max_rate=200.0) as node:
+            self.wait_for_state(20)
+            node.send(signal_number)
+            self.assertEqual(node.wait(), 1)
+            self.assertEqual(node.stderr(), '')
+
+    def wait_for_state(self, sequence):
+        with Inbox(self.namespace + '/particle_states', ParticleStates) as states:
+            states.wait(lambda message: message.sequence >= sequence, 'of mid-run')
+
+    def assert_closed_but_incomplete(self):
+        self.assertEqual(os.listdir(self.folder), ['run.bag'])
+        analysis = BagAnalysis(self.bag)
+        self.assertEqual(analysis.exit_code, 1)
+        self.assertIn(self.bag + ' is not complete', analysis.problems)
+        run, = analysis.runs
+        self.assertFalse(run['complete'])
+        self.assertGreater(analysis.topics[self.namespace + '/particle_states']['recorded'], 20)
+
+    def assert_end_is_announced(self):
+        status = bag_messages(self.bag, self.namespace + '/run_status')[-1]
+        self.assertEqual(status.phase, RunStatus.INTERRUPTED)
+        self.assertEqual(len(bag_messages(self.bag, self.namespace + '/particle_states')),
+                         status.states)
+
+    def test_sigint_closes_the_bag_of_the_node(self):
+        self.interrupt_node(signal.SIGINT)
+        self.assert_end_is_announced()
+        self.assert_closed_but_incomplete()
+
+    def test_sigterm_closes_the_bag_of_the_node(self):
+        self.interrupt_node(signal.SIGTERM)
+        self.assert_end_is_announced()
+        self.assert_closed_but_incomplete()
+
+    def test_sigint_closes_the_bag_of_the_recorder(self):
+        with launch('collision.launch', ns=self.namespace, bag=self.bag, max_rate=200,
+                    N=ENDLESS_COLLISION['disk.points'],
+                    velocity=ENDLESS_COLLISION['impact.velocity']) as run:
+            self.wait_for_state(20)
+            run.send(signal.SIGINT)
+            run.wait()
+        self.assert_closed_but_incomplete()
+
+
+if __name__ == '__main__':
+    rospy.init_node('bag')
+    rostest.rosrun(PACKAGE, 'bag', BagTest)

@@ -1,0 +1,210 @@
+"""What the tests of the nodes share: starting programs, hearing topics, reading results.
+
+A scene is told by the name of its file and a dict of dotted keys that replace those of the file,
+so that the nodes and the tools are given the same.
+"""
+
+import os
+import signal
+import subprocess
+import tempfile
+import threading
+import time
+import uuid
+from io import BytesIO
+
+import rosbag
+import roslib.packages
+import rospy
+import yaml
+
+PACKAGE = 'lattice_impact'
+TIMEOUT = 60.0  # s, far above what anything here takes
+
+SMALL_COLLISION = {'disk.points': 300, 'impact.velocity': 0.02}
+SMALL_CONTACT = {'disk.points': 120, 'material.eta': 20}
+ENDLESS_COLLISION = {'disk.points': 300, 'impact.velocity': 0.001}
+
+IMPACT_RESULTS = ('restitution', 'contact_begin', 'contact_end', 'contact_duration', 'peak_force',
+                  'impulse', 'spin_after', 'tangential_velocity_after')
+
+
+def program(name):
+    return roslib.packages.find_node(PACKAGE, name)[0]
+
+
+def scene_file(scene):
+    return os.path.join(roslib.packages.get_pkg_dir(PACKAGE), 'launch', 'scenes', scene + '.yaml')
+
+
+def scene_parameters(scene, values):
+    """The scene as the tree that the parameter server holds."""
+    with open(scene_file(scene)) as file:
+        tree = yaml.safe_load(file)
+    for key, value in values.items():
+        branch = tree
+        *groups, leaf = key.split('.')
+        for group in groups:
+            branch = branch[group]
+        branch[leaf] = value
+    return tree
+
+
+def random_namespace():
+    return '/test_' + uuid.uuid4().hex
+
+
+def poll_until(condition, what):
+    deadline = time.monotonic() + TIMEOUT
+    while not condition():
+        if time.monotonic() > deadline:
+            raise AssertionError('no {} within {} s'.format(what, TIMEOUT))
+        time.sleep(0.02)
+
+
+def bits(message):
+    """The message as it goes over the wire: equal for equal bits, NaN included."""
+    buffer = BytesIO()
+    message.serialize(buffer)
+    return buffer.getvalue()
+
+
+def run_tool(name, *arguments):
+    return subprocess.run([program(name), *arguments], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, universal_newlines=True, timeout=TIMEOUT)
+
+
+def impact(scene, values):
+    """What the impact tool finds in this scene."""
+    assignments = ['{}={}'.format(key, value) for key, value in values.items()]
+    run = run_tool('impact', scene_file(scene), *assignments)
+    if run.returncode != 0:
+        raise AssertionError('impact failed: ' + run.stderr)
+    return yaml.safe_load(run.stdout)
+
+
+class BagAnalysis:
+    """What analyse_bag says of the one namespace that the bag holds."""
+
+    def __init__(self, bag):
+        run = run_tool('analyse_bag', bag)
+        self.exit_code = run.returncode
+        self.problems = run.stderr
+        document = yaml.safe_load(run.stdout) or {}
+        self.namespace, content = next(iter(document.items()), (None, {}))
+        self.topics = content.get('topics', {})
+        self.runs = content.get('runs', [])
+
+
+def bag_messages(bag, topic):
+    with rosbag.Bag(bag) as content:
+        return [message for _, message, _ in content.read_messages(topics=[topic])]
+
+
+class Process:
+    """A program in the background, whose output goes to files. Ends with the `with` block."""
+
+    def __init__(self, command, environment=None):
+        self._stdout = tempfile.TemporaryFile()
+        self._stderr = tempfile.TemporaryFile()
+        self._process = subprocess.Popen(command, stdout=self._stdout, stderr=self._stderr,
+                                         env=dict(os.environ, **(environment or {})))
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self._process.poll() is None:
+            self.send(signal.SIGTERM)
+            try:
+                self.wait()
+            except subprocess.TimeoutExpired:
+                self._process.kill()
+                self.wait()
+        self._stdout.close()
+        self._stderr.close()
+
+    def wait(self):
+        """The exit code."""
+        return self._process.wait(TIMEOUT)
+
+    def send(self, signal_number):
+        self._process.send_signal(signal_number)
+
+    def is_running(self):
+        return self._process.poll() is None
+
+    def stdout(self):
+        return self._text(self._stdout)
+
+    def stderr(self):
+        return self._text(self._stderr)
+
+    @staticmethod
+    def _text(file):
+        file.seek(0)
+        return file.read().decode()
+
+
+def node(kind, name, parameters, environment=None):
+    """A node in the background, with these private parameters. Its name is absolute."""
+    namespace, base = name.rsplit('/', 1)
+    if parameters:
+        rospy.set_param(name, parameters)
+    return Process([program(kind), '__ns:=' + namespace, '__name:=' + base], environment)
+
+
+def simulation(namespace, scene, values, environment=None, **parameters):
+    """The simulation node in the background; `parameters` beside those of the scene."""
+    tree = dict(scene_parameters(scene, values), timeout=TIMEOUT)
+    tree.update(parameters)
+    return node('simulation_node', namespace + '/simulation', tree, environment)
+
+
+def analysis(namespace, environment=None, **parameters):
+    return node('analysis_node', namespace + '/analysis', dict({'timeout': TIMEOUT}, **parameters),
+                environment)
+
+
+def launch(file, **arguments):
+    assignments = ['{}:={}'.format(name, value) for name, value in arguments.items()]
+    return Process(['roslaunch', PACKAGE, file, *assignments])
+
+
+class Inbox:
+    """All messages of a topic from now on."""
+
+    def __init__(self, topic, message_type):
+        self._topic = topic
+        self._messages = []
+        self._news = threading.Condition()
+        self._subscriber = rospy.Subscriber(topic, message_type, self._take_in, queue_size=None)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self._subscriber.unregister()
+
+    def messages(self):
+        with self._news:
+            return list(self._messages)
+
+    def wait(self, condition, what, timeout=TIMEOUT):
+        """The first message, come or to come, for which the condition holds."""
+        with self._news:
+            if not self._news.wait_for(lambda: any(map(condition, self._messages)), timeout):
+                raise AssertionError('{}: no message {} within {} s, but {} others'.format(
+                    self._topic, what, timeout, len(self._messages)))
+            return next(filter(condition, self._messages))
+
+    def wait_for_count(self, count, timeout=TIMEOUT):
+        with self._news:
+            if not self._news.wait_for(lambda: len(self._messages) >= count, timeout):
+                raise AssertionError('{}: {} messages of {} within {} s'.format(
+                    self._topic, len(self._messages), count, timeout))
+
+    def _take_in(self, message):
+        with self._news:
+            self._messages.append(message)
+            self._news.notify_all()

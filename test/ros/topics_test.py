@@ -1,0 +1,69 @@
+#!/usr/bin/python3
+"""The nodes have the topics that their work needs, and no others."""
+
+import signal
+import unittest
+
+import rospy
+import rostest
+
+from master_witness import MasterWitness
+from programs import (PACKAGE, SMALL_COLLISION, SMALL_CONTACT, TIMEOUT, analysis, random_namespace,
+                      simulation)
+
+OF_EVERY_NODE = {'/rosout'}
+DIAGNOSTICS = {'/diagnostics'}
+SIMULATION = ('lattice', 'particle_states', 'contact_forces', 'run_status', 'markers',
+              'contact_wrench')
+ANALYSIS = ('strain', 'restitution', 'acknowledged')
+
+
+class TopicsTest(unittest.TestCase):
+    def setUp(self):
+        self.namespace = random_namespace()
+
+    def absolute(self, names):
+        return {self.namespace + '/' + name for name in names}
+
+    def topics_of_simulation(self, scene, values, exit_code=0, **parameters):
+        with MasterWitness() as master:
+            with simulation(self.namespace, scene, values, master.environment,
+                            **parameters) as node:
+                self.assertEqual(node.wait(), exit_code, node.stderr())
+            return master.published(), master.subscribed()
+
+    def assert_simulation_topics(self, topics, more_published=(), more_subscribed=()):
+        published, subscribed = topics
+        self.assertEqual(published, OF_EVERY_NODE | DIAGNOSTICS | self.absolute(SIMULATION) |
+                         set(more_published))
+        self.assertEqual(subscribed, set(more_subscribed))
+
+    def test_collision(self):
+        self.assert_simulation_topics(self.topics_of_simulation('collision', SMALL_COLLISION))
+
+    def test_contact(self):
+        self.assert_simulation_topics(self.topics_of_simulation('contact', SMALL_CONTACT))
+
+    def test_clock(self):
+        topics = self.topics_of_simulation('collision', SMALL_COLLISION, publish_clock=True)
+        self.assert_simulation_topics(topics, more_published=['/clock'])
+
+    def test_acknowledged(self):
+        topics = self.topics_of_simulation('collision', SMALL_COLLISION, exit_code=1, timeout=0.1,
+                                           acknowledged_by=['nobody'])
+        self.assert_simulation_topics(topics, more_subscribed=self.absolute(['acknowledged']))
+
+    def test_analysis(self):
+        with MasterWitness() as master:
+            with analysis(self.namespace, master.environment) as node:
+                master.wait_for_subscriber(self.namespace + '/run_status', TIMEOUT)
+                node.send(signal.SIGINT)
+                node.wait()
+            self.assertEqual(master.published(), OF_EVERY_NODE | self.absolute(ANALYSIS))
+            self.assertEqual(master.subscribed(), self.absolute(
+                ['lattice', 'particle_states', 'contact_forces', 'run_status']))
+
+
+if __name__ == '__main__':
+    rospy.init_node('topics')
+    rostest.rosrun(PACKAGE, 'topics', TopicsTest)

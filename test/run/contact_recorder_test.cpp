@@ -1,0 +1,48 @@
+#include "run/contact_recorder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "run/compose.hpp"
+
+namespace impact {
+namespace {
+
+TEST(ContactRecorder, ReportsSumUpToTheWholeCourse) {
+  Scene scene;
+  scene.disk.recipe.points = 50;
+  scene.impact.velocity = 0.1;
+  Composition composition = compose(scene);
+  Simulation simulation(std::move(composition.field), std::move(composition.initial),
+                        composition.spectrum, composition.step);
+  constexpr double kContactForce = 1e-3;
+  ContactRecorder recorder(simulation, kContactForce);
+  const double momentum = simulation.state().velocity.col(1).mean();
+
+  double impulse = 0.0;
+  double peak = 0.0;
+  std::size_t samples = 0;
+  std::size_t listed = 0;
+  for (int k = 1; k <= 600; ++k) {
+    simulation.step();
+    recorder.add_step(simulation);
+    if (k % 7 != 0 && k != 600) continue;
+    const ContactReport report = recorder.take(simulation);
+    EXPECT_EQ(report.step, simulation.state().step);
+    EXPECT_EQ(report.total.y(), simulation.field().wall->total_force());
+    for (const ContactReport::PointForce& point : report.points) {
+      EXPECT_GE(point.force.y(), kContactForce);
+    }
+    impulse += report.impulse;
+    peak = std::max(peak, report.peak_force);
+    samples += report.samples.size();
+    listed = std::max(listed, report.points.size());
+  }
+  EXPECT_EQ(samples, 601U);  // the start and every step
+  EXPECT_GT(peak, 10 * kContactForce);
+  EXPECT_GT(listed, 0U);
+  EXPECT_LT(listed, 50U);
+  EXPECT_NEAR(impulse, simulation.state().velocity.col(1).mean() - momentum, 1e-13);
+}
+
+}  // namespace
+}  // namespace impact

@@ -1,0 +1,57 @@
+#include "run/end_of_run.hpp"
+
+#include <gtest/gtest.h>
+
+namespace impact {
+namespace {
+
+Scene small_collision() {
+  Scene scene;
+  scene.disk.recipe.points = 60;
+  scene.impact.velocity = 0.05;
+  return scene;
+}
+
+/// The end comes a waiting time after the last touch, with the disk going away.
+TEST(SeparationEnd, WaitsUntilTheDiskHasLeft) {
+  const Scene scene = small_collision();
+  Composition composition = compose(scene);
+  const auto end = end_of_run(scene, composition);
+  Simulation simulation(std::move(composition.field), std::move(composition.initial),
+                        composition.spectrum, composition.step);
+  const double negligible = negligible_wall_energy(scene);
+  double last_touch = 0.0;
+  while (!end->reached(simulation)) {
+    simulation.step();
+    if (simulation.field().wall->potential_energy(simulation.state().position) > negligible) {
+      last_touch = simulation.state().time;
+    }
+    ASSERT_LT(simulation.state().time, 100.0);
+  }
+  EXPECT_GT(last_touch, 0.0);
+  EXPECT_NEAR(simulation.state().time - last_touch, 5.0 / composition.sound_speed,
+              2.0 * simulation.step_size());
+  EXPECT_GT(simulation.state().velocity.col(1).mean(), 0.0);
+}
+
+TEST(RestEnd, IsReachedOnlyAtRest) {
+  Scene scene;
+  scene.kind = SceneKind::kContact;
+  scene.disk.recipe.points = 60;
+  scene.material.eta = 20.0;
+  scene.load.p = 0.01;
+  Composition composition = compose(scene);
+  const auto end = end_of_run(scene, composition);
+  Simulation simulation(std::move(composition.field), std::move(composition.initial),
+                        composition.spectrum, composition.step);
+  EXPECT_FALSE(end->reached(simulation));
+  while (!end->reached(simulation)) {
+    simulation.step();
+    ASSERT_LT(simulation.state().time, 2000.0);
+  }
+  EXPECT_LE(simulation.largest_static_force(), 1e-5 * 0.01 / 60);
+  EXPECT_LE(simulation.state().velocity.abs().maxCoeff(), 1e-5 * 0.01);
+}
+
+}  // namespace
+}  // namespace impact

@@ -1,0 +1,178 @@
+#include "run/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "measure/impact_analysis.hpp"
+#include "measure/strain.hpp"
+
+namespace impact {
+namespace {
+
+Restitution finish(Run& run) {
+  ImpactAnalysis analysis;
+  analysis.add(run.state());
+  analysis.add(run.take_contact_report());
+  while (!run.finished()) {
+    run.advance();
+    analysis.add(run.state());
+    analysis.add(run.take_contact_report());
+  }
+  return analysis.restitution(run.flags().empty());
+}
+
+Restitution impact_of(const Scene& scene) {
+  impact::Run run(scene);
+  return finish(run);
+}
+
+bool has_flag(const Run& run, const char* flag) {
+  return std::find(run.flags().begin(), run.flags().end(), flag) != run.flags().end();
+}
+
+TEST(Collision, OfTheDefaultDiskIsNearlyElastic) {
+  impact::Run run{Scene{}};
+  const Restitution result = finish(run);
+  EXPECT_TRUE(run.flags().empty());
+  EXPECT_GT(result.restitution, 0.9);
+  EXPECT_LE(result.restitution, run.restitution_bound());
+  EXPECT_LT(run.restitution_bound(), 1.0 + 1e-4);
+  EXPECT_LT(run.energy_error(), 1e-4);
+  // The wall's impulse is the change of momentum; both sums are Verlet's own, to rounding.
+  EXPECT_NEAR(result.impulse, result.velocity_after - result.velocity_before, 1e-13);
+}
+
+TEST(Collision, RestitutionFallsWithDamping) {
+  double last = 1.0;
+  for (const double eta : {0.0, 1.0, 10.0, 100.0}) {
+    Scene scene;
+    scene.material.eta = eta;
+    const double restitution = impact_of(scene).restitution;
+    EXPECT_LT(restitution, last) << "η* = " << eta;
+    last = restitution;
+  }
+}
+
+/// The wanted relative error of the default scene is 10⁻⁴; a start further away must not matter
+/// more.
+TEST(Collision, DoesNotDependOnWhereTheDiskStarts) {
+  Scene scene;
+  const double near = impact_of(scene).restitution;
+  for (const double gap : {0.1, 0.3, 1.0}) {
+    scene.impact.gap = gap;
+    EXPECT_NEAR(impact_of(scene).restitution, near, 1e-4) << gap;
+  }
+}
+
+/// Half the step: the error of e is below the wanted 10⁻⁴ of the default scene.
+TEST(Collision, AutomaticStepKeepsTheWantedError) {
+  for (const double velocity : {0.003, 0.01, 0.05}) {
+    Scene scene;
+    scene.impact.velocity = velocity;
+    const double automatic = impact_of(scene).restitution;
+    scene.numerics.step = 0.001;
+    EXPECT_NEAR(impact_of(scene).restitution, automatic, 1e-4) << velocity;
+  }
+}
+
+/// e and spin of the mirror image: the same e to rounding, which the chaos of many contacts
+/// amplifies, the opposite spin.
+TEST(Collision, OfTheMirrorImageIsTheMirrorImage) {
+  const Scene scene;
+  const Restitution original = impact_of(scene);
+  Composition mirrored = compose(scene);
+  mirrored.lattice.points.col(0) *= -1.0;
+  mirrored.initial.position.col(0) *= -1.0;
+  impact::Run run(scene, std::move(mirrored));
+  const Restitution image = finish(run);
+  EXPECT_NEAR(image.restitution, original.restitution, 1e-10);
+  EXPECT_NEAR(image.spin_after, -original.spin_after, 1e-10);
+}
+
+/// Bit for bit: the step divides both periods, and the end is judged at every step.
+TEST(Collision, DoesNotDependOnTheOutputPeriod) {
+  Scene scene;
+  scene.output.period = 0.02;
+  const Restitution often = impact_of(scene);
+  scene.output.period = 0.2;
+  const Restitution seldom = impact_of(scene);
+  EXPECT_EQ(often.restitution, seldom.restitution);
+  EXPECT_EQ(often.contact_duration, seldom.contact_duration);
+  EXPECT_EQ(often.peak_force, seldom.peak_force);
+  EXPECT_EQ(often.impulse, seldom.impulse);
+}
+
+TEST(Collision, StatesLandOnTheOutputTimes) {
+  impact::Run run{Scene{}};
+  for (int k = 1; k <= 50; ++k) {
+    run.advance();
+    EXPECT_NEAR(run.state().time, 0.02 * k, 1e-12);
+  }
+}
+
+/// A start inside the wall is allowed, may give e > 1, and is flagged with the bound that energy
+/// sets.
+TEST(Collision, StartInsideTheWallIsFlagged) {
+  Scene scene;
+  scene.impact.gap = 0.03;
+  impact::Run run(scene);
+  ASSERT_TRUE(has_flag(run, "starts_in_wall"));
+  finish(run);
+  const double e = run.state().velocity.col(1).mean() / scene.impact.velocity;
+  EXPECT_GT(e, 1.0);
+  EXPECT_LE(e, run.restitution_bound());
+}
+
+TEST(Collision, ThatNeverEndsIsGivenUpWithAFlag) {
+  Scene scene;
+  scene.disk.recipe.points = 20;
+  Composition composition = compose(scene);
+  composition.expected_time = 0.01;
+  impact::Run run(scene, std::move(composition));
+  EXPECT_TRUE(std::isnan(finish(run).restitution));
+  EXPECT_TRUE(has_flag(run, "not_separated"));
+}
+
+Scene contact_scene(double load) {
+  Scene scene;
+  scene.kind = SceneKind::kContact;
+  scene.material.eta = 100.0;
+  scene.load.p = load;
+  scene.output.period = 1.0;
+  return scene;
+}
+
+/// Every load comes to rest, carried by the wall, and the compression grows with it.
+TEST(Contact, CompressionGrowsWithTheLoad) {
+  double last = 0.0;
+  for (const double load : {4.0e-3, 6.0e-3, 8.0e-3, 1.0e-2}) {
+    impact::Run run(contact_scene(load));
+    while (!run.finished()) run.advance();
+    EXPECT_TRUE(run.flags().empty());
+    // Rest means no static force above 10⁻⁵ P/N on any of the N points: 10⁻⁵ P in all.
+    EXPECT_NEAR(run.simulation().field().wall->total_force() / load, 1.0, 1e-5);
+    const Strain strain = StrainMeter(run.lattice().points).measure(run.state().position);
+    EXPECT_GT(strain.strain(), last);
+    EXPECT_NEAR(strain.rotation, 0.0, 1e-12);
+    EXPECT_LT(run.energy_error(), 1e-3);
+    last = strain.strain();
+  }
+}
+
+TEST(Contact, CompressionAtRestDoesNotDependOnTheStep) {
+  const auto strain = [](double step) {
+    Scene scene = contact_scene(0.01);
+    scene.disk.recipe.points = 100;
+    scene.numerics.step = step;
+    impact::Run run(scene);
+    while (!run.finished()) run.advance();
+    return StrainMeter(run.lattice().points).measure(run.state().position).strain();
+  };
+  // At rest the integrator has no say: what is left is the rest criterion's 10⁻⁵.
+  EXPECT_NEAR(strain(5e-4) / strain(2.5e-4), 1.0, 1e-5);
+}
+
+}  // namespace
+}  // namespace impact

@@ -1,0 +1,73 @@
+#include "run/step_choice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "expect_input_error.hpp"
+#include "mechanics/velocity_verlet.hpp"
+
+namespace impact {
+namespace {
+
+constexpr int kPoints = 1099;
+constexpr double kSoundSpeed = 1.9;
+const PotentialWall kWall(300.0, 0.27);
+
+double step(const Scene& scene, const Spectrum& spectrum) {
+  return choose_step(scene, spectrum, kWall, kPoints, kSoundSpeed);
+}
+
+TEST(RoundDownTo125, FindsTheNearestBelow) {
+  EXPECT_EQ(round_down_to_125(0.0099), 0.005);
+  EXPECT_EQ(round_down_to_125(0.01), 0.01);
+  EXPECT_EQ(round_down_to_125(0.19), 0.1);
+  EXPECT_EQ(round_down_to_125(0.0021), 0.002);
+  EXPECT_EQ(round_down_to_125(7.0), 5.0);
+}
+
+TEST(ChooseStep, StaysBelowTheLimitOfLatticeDampingAndWall) {
+  Scene scene;
+  for (const Spectrum spectrum : {Spectrum{1e4, 0.0}, Spectrum{1e4, 50.0}, Spectrum{1e4, 1e4}}) {
+    for (const double velocity : {1e-4, 0.01, 0.5}) {
+      scene.impact.velocity = velocity;
+      const double wall = kWall.stiffness(largest_point_force(scene, kPoints, kSoundSpeed));
+      const double limit =
+          verlet_step_limit(spectrum.omega_squared + wall * kPoints, spectrum.gamma);
+      EXPECT_LE(step(scene, spectrum), 0.9 * limit);
+      EXPECT_GE(step(scene, spectrum), 0.15 * limit);
+    }
+  }
+}
+
+/// The same step for every period that is its multiple, so that the output does not touch the
+/// motion; a shorter one where the period is none.
+TEST(ChooseStep, DependsOnThePeriodOnlyWhereItMust) {
+  Scene scene;
+  const Spectrum spectrum{1e4, 0.0};
+  scene.output.period = 0.02;
+  const double usual = step(scene, spectrum);
+  for (const double period : {0.2, 1.0, 0.5}) {
+    scene.output.period = period;
+    EXPECT_EQ(step(scene, spectrum), usual);
+  }
+  scene.output.period = 0.0123;
+  EXPECT_LE(step(scene, spectrum), usual);
+  const double steps = scene.output.period / step(scene, spectrum);
+  EXPECT_NEAR(steps, std::round(steps), 1e-9);
+}
+
+TEST(ChooseStep, TakesAGivenStepUpToTheLimit) {
+  Scene scene;
+  const Spectrum spectrum{1e4, 0.0};
+  scene.numerics.step = 0.01;
+  EXPECT_EQ(step(scene, spectrum), 0.01);
+  scene.numerics.step = 0.003;  // 0.02 is not its multiple
+  EXPECT_DOUBLE_EQ(step(scene, spectrum), 0.02 / 7);
+  scene.numerics.step = 0.021;
+  EXPECT_INPUT_ERROR(step(scene, spectrum),
+                     "numerics.step: got 0.021, allowed: at most 0.02 R/c, the stability limit");
+}
+
+}  // namespace
+}  // namespace impact
