@@ -8,13 +8,17 @@ packages="g++ make cmake catkin ros-message-generation ros-std-msgs ros-geometry
   python3-roslaunch rosbash libboost-dev libeigen3-dev libcgal-dev libyaml-cpp-dev libcli11-dev
   libfmt-dev"
 
+as_root() {
+  if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi
+}
+
 # install PACKAGE… — through apt, with sudo where needed; nothing when all are there.
 install() {
-  if dpkg-query -W -f '${db:Status-Status}\n' "$@" 2>&1 | grep -qv '^installed$'; then
-    local sudo=
-    [ "$(id -u)" = 0 ] || sudo=sudo
-    $sudo apt-get update -q
-    DEBIAN_FRONTEND=noninteractive $sudo apt-get install -yq --no-install-recommends "$@"
+  local there
+  there=$(dpkg-query -W -f '${db:Status-Status}\n' "$@" 2>/dev/null | grep -c '^installed$') || true
+  if [ "$there" -lt $# ]; then
+    as_root apt-get update -q
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -yq --no-install-recommends "$@"
   fi
 }
 
@@ -25,6 +29,8 @@ build() {
 }
 
 use_package() {
+  # A minimal root file system may lack the name that every roslaunch looks up.
+  getent hosts localhost > /dev/null || echo 127.0.0.1 localhost | as_root tee -a /etc/hosts
   set +u
   . devel/setup.bash
   set -u

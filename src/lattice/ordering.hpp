@@ -9,7 +9,7 @@ namespace impact {
 
 /// The order in which to store the points of a bond network so that neighbours lie close in
 /// memory: reverse Cuthill–McKee (E. Cuthill and J. McKee, Proc. 24th ACM Nat. Conf., 1969, 157).
-/// Element k is the index of the point to store at place k. test/bench/bench_ordering.cpp measures
+/// Element k is the index of the point to store at place k. test/bench/bench_lattice.cpp measures
 /// it against a Hilbert curve and a random order.
 std::vector<std::int32_t> storage_order(Eigen::Index points, const std::vector<Bond>& bonds);
 

@@ -39,7 +39,11 @@ bool AnalysisNode::run() {
   last_message_ = ros::WallTime::now();
   while (!interrupted() && !(parameters_.exit_when_done && analysis_.done())) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll));
-    give_up_if_silent();
+    if (analysis_.waits_for_missing() && silence() > parameters_.patience) analysis_.close();
+    if (parameters_.exit_when_done && silence() > parameters_.timeout) break;
+  }
+  if (parameters_.exit_when_done && !any_message_ && !interrupted()) {
+    throw std::runtime_error(fmt::format("no message for {} s (timeout)", parameters_.timeout));
   }
   analysis_.close();
   ros::WallDuration(parameters_.linger).sleep();
@@ -52,6 +56,7 @@ void AnalysisNode::subscribe(const std::string& topic) {
       topic, 0,
       [this](const typename Message::ConstPtr& message) {
         last_message_ = ros::WallTime::now();
+        any_message_ = true;
         analysis_.add(*message);
       },
       ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
@@ -82,12 +87,6 @@ void AnalysisNode::acknowledge(std::uint32_t run, std::uint32_t sequence) {
   acknowledged_.publish(message);
 }
 
-void AnalysisNode::give_up_if_silent() {
-  const double silence = (ros::WallTime::now() - last_message_).toSec();
-  if (analysis_.waits_for_missing() && silence > parameters_.patience) analysis_.close();
-  if (parameters_.exit_when_done && silence > parameters_.timeout) {
-    throw std::runtime_error(fmt::format("no message for {} s (timeout)", parameters_.timeout));
-  }
-}
+double AnalysisNode::silence() const { return (ros::WallTime::now() - last_message_).toSec(); }
 
 }  // namespace impact

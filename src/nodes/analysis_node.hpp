@@ -16,9 +16,9 @@ class AnalysisNode {
  public:
   explicit AnalysisNode(const AnalysisNodeParameters& parameters);
 
-  /// Takes in messages until interrupted or, if asked for, until the series is done. False when
-  /// messages were missing.
-  /// @throw std::runtime_error when a reader of the results is missing.
+  /// Takes in messages until interrupted or, if asked for, until the series is done or nothing has
+  /// come for the time-out. False when messages were missing.
+  /// @throw std::runtime_error when a reader of the results is missing, or nothing came at all.
   bool run();
 
  private:
@@ -27,7 +27,7 @@ class AnalysisNode {
   void publish(const lattice_impact::Restitution& restitution);
   void publish(const lattice_impact::Strain& strain);
   void acknowledge(std::uint32_t run, std::uint32_t sequence);
-  void give_up_if_silent();
+  double silence() const;
 
   AnalysisNodeParameters parameters_;
   ros::NodeHandle node_;
@@ -38,6 +38,7 @@ class AnalysisNode {
   std::vector<ros::Subscriber> subscribers_;
   SeriesAnalysis analysis_;
   ros::WallTime last_message_;
+  bool any_message_ = false;
   bool complete_ = true;
 };
 

@@ -14,9 +14,9 @@ struct Composition {
   ForceField field;
   State initial;
   Spectrum spectrum;
-  double step;           ///< R/c; divides the output period
-  double sound_speed;    ///< estimate of c_s for step sizes and waiting times, c
-  double expected_time;  ///< rough time at which the run's question is answered, R/c
+  double step = 0.0;           ///< R/c; divides the output period
+  double sound_speed = 0.0;    ///< estimate of c_s for step sizes and waiting times, c
+  double expected_time = 0.0;  ///< rough time at which the run's question is answered, R/c
 };
 
 /// @throw InputError for a lattice that cannot be used, and for a given step beyond the stability

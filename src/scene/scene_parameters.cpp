@@ -56,27 +56,29 @@ std::vector<P> make_table() {
       "wall.V0", "M c²", {0.0, 1e6, false}, "energy of the wall; auto: a R (M/N) c²",
       [](Scene & s) -> auto& { return s.wall.v0; }));
 
-  table.push_back(only_in(SceneKind::kContact, real<Scene>(
-                                                   "load.P", "M c²/R", {0.0, 1.0, false},
-                                                   "compression, spread evenly over the points",
-                                                   [](Scene & s) -> auto& { return s.load.p; })));
   table.push_back(
-      only_in(SceneKind::kContact,
-              flag<Scene>(
-                  "load.hold_rotation", "hold the rigid rotation by a torque; false: it may roll",
-                  [](Scene & s) -> auto& { return s.load.hold_rotation; })));
+      only_in(SceneKind::kContact, real<Scene>(
+                                       "load.P", "M c²/R", {0.0, 1.0, false},
+                                       "contact: compression, spread evenly over the points",
+                                       [](Scene & s) -> auto& { return s.load.p; })));
+  table.push_back(only_in(
+      SceneKind::kContact,
+      flag<Scene>(
+          "load.hold_rotation", "contact: hold the rigid rotation by a torque; false: it may roll",
+          [](Scene & s) -> auto& { return s.load.hold_rotation; })));
 
   table.push_back(
+      only_in(SceneKind::kCollision, real<Scene>(
+                                         "impact.velocity", "c", {0.0, 1.0, false},
+                                         "collision: speed towards the wall at the start",
+                                         [](Scene & s) -> auto& { return s.impact.velocity; })));
+  table.push_back(
       only_in(SceneKind::kCollision,
-              real<Scene>(
-                  "impact.velocity", "c", {0.0, 1.0, false}, "speed towards the wall at the start",
-                  [](Scene & s) -> auto& { return s.impact.velocity; })));
-  table.push_back(only_in(SceneKind::kCollision,
-                          real_or_auto<Scene>(
-                              "impact.gap", "R", {-1.0, 100.0},
-                              "height of the lowest point at the start; auto: where the wall's "
-                              "energy is error/100 of the kinetic energy",
-                              [](Scene & s) -> auto& { return s.impact.gap; })));
+              real_or_auto<Scene>(
+                  "impact.gap", "R", {-1.0, 100.0},
+                  "collision: height of the lowest point at the start; auto: where the wall's "
+                  "energy is error/100 of the kinetic energy",
+                  [](Scene & s) -> auto& { return s.impact.gap; })));
 
   table.push_back(choice<Scene, IntegratorKind>(
       "numerics.integrator", {{"auto", IntegratorKind::kAuto}, {"verlet", IntegratorKind::kVerlet}},

@@ -11,7 +11,8 @@ import rostest
 from lattice_impact.msg import ParticleStates, RunStatus
 
 from programs import (ENDLESS_COLLISION, IMPACT_RESULTS, PACKAGE, SMALL_COLLISION, SMALL_CONTACT,
-                      BagAnalysis, Inbox, bag_messages, impact, launch, random_namespace, simulation)
+                      BagAnalysis, Inbox, bag_messages, impact, launch, random_namespace,
+                      simulation)
 
 
 class BagTest(unittest.TestCase):

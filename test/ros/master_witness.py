@@ -2,8 +2,8 @@
 
 import threading
 import xmlrpc.client
-from xmlrpc.server import SimpleXMLRPCRequestHandler, SimpleXMLRPCServer
 from socketserver import ThreadingMixIn
+from xmlrpc.server import SimpleXMLRPCRequestHandler, SimpleXMLRPCServer
 
 import rosgraph
 
@@ -17,6 +17,9 @@ class _Handler(SimpleXMLRPCRequestHandler):
 
 class _Server(ThreadingMixIn, SimpleXMLRPCServer):
     daemon_threads = True
+
+    def handle_error(self, request, client_address):
+        """A node that ends leaves its connection without farewell: nothing to print."""
 
 
 class MasterWitness:
@@ -41,12 +44,15 @@ class MasterWitness:
         self._server.server_close()
 
     def _dispatch(self, method, arguments):
-        answer = getattr(xmlrpc.client.ServerProxy(rosgraph.get_master_uri()), method)(*arguments)
+        answer = self._answer(method, arguments)
         with self._news:
             if method in self._topics:
                 self._topics[method].add(arguments[1])
             self._news.notify_all()
         return answer
+
+    def _answer(self, method, arguments):
+        return getattr(xmlrpc.client.ServerProxy(rosgraph.get_master_uri()), method)(*arguments)
 
     def published(self):
         with self._news:
@@ -60,4 +66,25 @@ class MasterWitness:
         with self._news:
             if not self._news.wait_for(lambda: topic in self._topics['registerSubscriber'],
                                        timeout):
-                raise AssertionError('nobody subscribed to ' + topic)
+                raise AssertionError('nobody has subscribed to ' + topic)
+
+
+class MasterWithLateLink(MasterWitness):
+    """A master from which the subscriber of one topic hears of the publishers late."""
+
+    def __init__(self, topic):
+        super().__init__()
+        self._topic = topic
+        self._held = None
+
+    def _answer(self, method, arguments):
+        if method == 'registerSubscriber' and arguments[1] == self._topic:
+            self._held = arguments
+            return [1, 'later', []]
+        return super()._answer(method, arguments)
+
+    def link(self):
+        """Registers the subscriber, and tells it of the publishers."""
+        subscriber = self._held[3]
+        _, _, publishers = super()._answer('registerSubscriber', self._held)
+        xmlrpc.client.ServerProxy(subscriber).publisherUpdate('/master', self._topic, publishers)

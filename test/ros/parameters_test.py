@@ -20,8 +20,7 @@ class ParametersTest(unittest.TestCase):
         self.namespace = random_namespace()
 
     def simulate(self, values, environment=None, **parameters):
-        bag = os.path.join(self.folder, 'run.bag')
-        parameters = dict({'bag': bag}, **parameters)
+        parameters = dict({'bag': os.path.join(self.folder, 'run.bag')}, **parameters)
         return simulation(self.namespace, 'collision', dict(SMALL_COLLISION, **values), environment,
                           **parameters)
 
@@ -74,10 +73,12 @@ class ParametersTest(unittest.TestCase):
                                        'allowed: number in (0, 1]')
 
     def test_step_beyond_the_stability_limit(self):
-        self.assert_simulation_refuses({'numerics.step': 1.0}, 'numerics.step', 'got 1', 'allowed: ')
+        self.assert_simulation_refuses({'numerics.step': 1.0}, 'numerics.step', 'got 1',
+                                       'allowed: ')
 
     def test_analysis_out_of_range(self):
-        self.assert_analysis_refuses({'patience': -1}, 'patience', 'got -1', 'allowed: number in (0')
+        self.assert_analysis_refuses({'patience': -1}, 'patience', 'got -1',
+                                     'allowed: number in (0')
 
     def test_analysis_wrong_type(self):
         self.assert_analysis_refuses({'wait_for': 'recorder'}, 'wait_for', 'got recorder',
@@ -89,10 +90,10 @@ class ParametersTest(unittest.TestCase):
 
     def test_bag_that_cannot_be_written(self):
         bag = os.path.join(self.folder, 'missing', 'run.bag')
-        with self.simulate({}, bag=bag) as process:
-            self.assertEqual(process.wait(), 2)
-            line, = process.stderr().splitlines()
-            self.assertIn('bag: ' + bag, line)
+        self.assert_simulation_refuses_own({'bag': bag}, 'bag: ' + bag + ' cannot be written')
+
+    def test_name_of_a_node_that_no_node_can_have(self):
+        self.assert_simulation_refuses_own({'wait_for': ['no-name']}, 'wait_for', 'no-name')
 
     def assert_misses_subscriber(self, process, topics):
         self.assertEqual(process.wait(), 1)

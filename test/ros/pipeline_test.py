@@ -3,14 +3,16 @@
 
 import os
 import tempfile
+import time
 import unittest
 
 import rospy
 import rostest
 from lattice_impact.msg import ContactForces, Lattice, ParticleStates, RunStatus
 
-from programs import (IMPACT_RESULTS, PACKAGE, SMALL_COLLISION, SMALL_CONTACT, Inbox, bag_messages,
-                      impact, poll_until, random_namespace)
+from master_witness import MasterWithLateLink
+from programs import (IMPACT_RESULTS, PACKAGE, SMALL_COLLISION, SMALL_CONTACT, TIMEOUT, Inbox,
+                      bag_messages, impact, poll_until, random_namespace)
 from results import Pipeline
 
 DATA_TOPICS = {'lattice': Lattice, 'particle_states': ParticleStates,
@@ -49,8 +51,9 @@ class PipelineTest(unittest.TestCase):
         self.assertEqual(strain.force, expected['wall_force'])
 
     def test_results_do_not_depend_on_output_period(self):
-        fine, coarse = (final_restitution('collision', dict(SMALL_COLLISION, **{'output.period': p}))
-                        for p in (0.02, 0.2))
+        fine, coarse = (
+            final_restitution('collision', dict(SMALL_COLLISION, **{'output.period': period}))
+            for period in (0.02, 0.2))
         self.assertTrue(fine.complete and coarse.complete)
         for key in ('restitution', 'contact_duration', 'peak_force'):
             self.assertEqual(getattr(fine, key), getattr(coarse, key), key)
@@ -79,6 +82,19 @@ class PipelineTest(unittest.TestCase):
         for namespace, values in scenes.items():
             self.assert_equals_tool(found[namespace], 'collision', values)
         self.assertEqual(len({message.restitution for message in found.values()}), 2)
+
+    def test_acknowledgements_are_heard_late(self):
+        namespace = random_namespace()
+        acknowledged = namespace + '/acknowledged'
+        with MasterWithLateLink(acknowledged) as master:
+            with Pipeline(namespace, 'collision', SMALL_COLLISION, master.environment) as pipeline:
+                master.wait_for_subscriber(acknowledged, TIMEOUT)
+                wait_until_advertised(acknowledged)
+                time.sleep(1.0)  # the lateness: time for the simulation to start and get stuck
+                master.link()
+                pipeline.finish()
+                restitution = pipeline.results.final_restitution()
+        self.assert_equals_tool(restitution, 'collision', SMALL_COLLISION)
 
     def test_series_of_two_velocities(self):
         velocities = [0.01, 0.02]

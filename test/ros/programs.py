@@ -20,6 +20,7 @@ import yaml
 
 PACKAGE = 'lattice_impact'
 TIMEOUT = 60.0  # s, far above what anything here takes
+NODE_TIMEOUT = 0.5 * TIMEOUT  # s, so that a node tells what it misses before the test gives up
 
 SMALL_COLLISION = {'disk.points': 300, 'impact.velocity': 0.02}
 SMALL_CONTACT = {'disk.points': 120, 'material.eta': 20}
@@ -30,7 +31,10 @@ IMPACT_RESULTS = ('restitution', 'contact_begin', 'contact_end', 'contact_durati
 
 
 def program(name):
-    return roslib.packages.find_node(PACKAGE, name)[0]
+    found = roslib.packages.find_node(PACKAGE, name)
+    if not found:
+        raise AssertionError(name + ' is not built')
+    return found[0]
 
 
 def scene_file(scene):
@@ -118,15 +122,19 @@ class Process:
             self.send(signal.SIGTERM)
             try:
                 self.wait()
-            except subprocess.TimeoutExpired:
+            except AssertionError:
                 self._process.kill()
-                self.wait()
+                self._process.wait()
         self._stdout.close()
         self._stderr.close()
 
     def wait(self):
         """The exit code."""
-        return self._process.wait(TIMEOUT)
+        try:
+            return self._process.wait(TIMEOUT)
+        except subprocess.TimeoutExpired:
+            raise AssertionError('{} still runs after {} s: {}'.format(
+                self._process.args[0], TIMEOUT, self.stdout() + self.stderr()))
 
     def send(self, signal_number):
         self._process.send_signal(signal_number)
@@ -156,14 +164,14 @@ def node(kind, name, parameters, environment=None):
 
 def simulation(namespace, scene, values, environment=None, **parameters):
     """The simulation node in the background; `parameters` beside those of the scene."""
-    tree = dict(scene_parameters(scene, values), timeout=TIMEOUT)
+    tree = dict(scene_parameters(scene, values), timeout=NODE_TIMEOUT)
     tree.update(parameters)
     return node('simulation_node', namespace + '/simulation', tree, environment)
 
 
 def analysis(namespace, environment=None, **parameters):
-    return node('analysis_node', namespace + '/analysis', dict({'timeout': TIMEOUT}, **parameters),
-                environment)
+    return node('analysis_node', namespace + '/analysis',
+                dict({'timeout': NODE_TIMEOUT}, **parameters), environment)
 
 
 def launch(file, **arguments):

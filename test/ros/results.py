@@ -32,12 +32,12 @@ class Results:
 class Pipeline:
     """The simulation node, paced by the analysis node, which ends with the series."""
 
-    def __init__(self, namespace, scene, values, **simulation_parameters):
+    def __init__(self, namespace, scene, values, environment=None, **simulation_parameters):
         self.results = Results(namespace)
         self.analysis = analysis(namespace, wait_for=[rospy.get_name()], exit_when_done=True)
         parameters = dict({'wait_for': ['analysis']}, **simulation_parameters)
-        self.simulation = simulation(namespace, scene, values, acknowledged_by=['analysis'],
-                                     **parameters)
+        self.simulation = simulation(namespace, scene, values, environment,
+                                     acknowledged_by=['analysis'], **parameters)
 
     def __enter__(self):
         return self
