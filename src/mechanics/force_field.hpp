@@ -15,7 +15,7 @@ namespace impact {
 /// load and a constraint.
 struct ForceField {
   BondForces bonds;
-  double point_mass;  ///< M
+  double point_mass = 1.0;  ///< M
   std::optional<PotentialWall> wall{};
   std::optional<CompressionLoad> load{};
   std::optional<RotationHold> hold{};

@@ -18,7 +18,9 @@ YAML::Node to_yaml(XmlRpc::XmlRpcValue& value) {
       return YAML::Node(static_cast<std::string>(value));
     case XmlRpc::XmlRpcValue::TypeArray: {
       YAML::Node list(YAML::NodeType::Sequence);
-      for (int i = 0; i < value.size(); ++i) list.push_back(to_yaml(value[i]));
+      for (int i = 0; i < value.size(); ++i) {  // NOLINT(modernize-loop-convert): no begin() here
+        list.push_back(to_yaml(value[i]));
+      }
       return list;
     }
     case XmlRpc::XmlRpcValue::TypeStruct: {

@@ -101,7 +101,7 @@ void SeriesAnalysis::take_in(Run& run, const lattice_impact::ParticleStates& sta
   }
 }
 
-void SeriesAnalysis::report_gap(Run& run, std::uint32_t number, std::uint32_t found) {
+void SeriesAnalysis::report_gap(Run& run, std::uint32_t number, std::uint32_t found) const {
   if (!run.gap) {
     outputs_.problem(fmt::format("run {}: messages are missing: expected sequence {}, got {}",
                                  number, run.next_sequence, found));
@@ -109,13 +109,13 @@ void SeriesAnalysis::report_gap(Run& run, std::uint32_t number, std::uint32_t fo
   run.gap = true;
 }
 
-void SeriesAnalysis::publish_strain(Run& run, lattice_impact::Strain strain) {
+void SeriesAnalysis::publish_strain(Run& run, lattice_impact::Strain strain) const {
   strain.sequence = run.strains_published++;
   run.last_strain = strain;
   outputs_.strain(strain);
 }
 
-void SeriesAnalysis::publish_restitution(const Run& run, bool ended, bool complete) {
+void SeriesAnalysis::publish_restitution(const Run& run, bool ended, bool complete) const {
   lattice_impact::Restitution message = to_message(run.impact.restitution(complete));
   message.header = run.last_strain.header;
   message.run = run.last_strain.run;

@@ -67,10 +67,10 @@ class SeriesAnalysis {
   void advance(std::uint32_t number);
   void take_in(Run& run, const lattice_impact::ParticleStates& states,
                const lattice_impact::ContactForces& forces);
-  void report_gap(Run& run, std::uint32_t number, std::uint32_t found);
+  void report_gap(Run& run, std::uint32_t number, std::uint32_t found) const;
   void close(std::uint32_t number);
-  void publish_strain(Run& run, lattice_impact::Strain strain);
-  void publish_restitution(const Run& run, bool ended, bool complete);
+  void publish_strain(Run& run, lattice_impact::Strain strain) const;
+  void publish_restitution(const Run& run, bool ended, bool complete) const;
   Run& open_run(std::uint32_t number) { return runs_[number]; }
 
   Outputs outputs_;

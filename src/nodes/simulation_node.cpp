@@ -128,7 +128,7 @@ void SimulationNode::publish_output(Run& run) {
     publish_status(run, lattice_impact::RunStatus::RUNNING);
   }
   viewer_.publish(states.header.stamp, run.lattice(), run.state(), report);
-  if (clock_) {
+  if (parameters_.publish_clock) {
     rosgraph_msgs::Clock clock;
     clock.clock = states.header.stamp;
     clock_.publish(clock);

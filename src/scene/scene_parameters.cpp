@@ -138,6 +138,7 @@ std::vector<Scene> parse_series(const FlatTree& keys) {
     runs = std::move(longer);
   }
   std::vector<Scene> scenes;
+  scenes.reserve(runs.size());
   for (const FlatTree& run : runs) scenes.push_back(parse_scene(run));
   return scenes;
 }

@@ -63,8 +63,7 @@ void force_evaluation(benchmark::State& state) {
 
 void construction(benchmark::State& state) {
   for (auto _ : state) {
-    const Lattice lattice =
-        triangulated_lattice(disk_points(static_cast<int>(state.range(0))));
+    const Lattice lattice = triangulated_lattice(disk_points(static_cast<int>(state.range(0))));
     benchmark::DoNotOptimize(lattice.bonds.data());
   }
   state.counters["points/s"] = benchmark::Counter(static_cast<double>(state.range(0)),
