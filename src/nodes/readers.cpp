@@ -55,6 +55,19 @@ Pacing::Pacing(ros::NodeHandle& node, const std::vector<std::string>& names) {
       });
 }
 
+void Pacing::wait_for_links(double timeout) {
+  const ros::WallTime start = ros::WallTime::now();
+  while (!acknowledged_.empty() && subscriber_.getNumPublishers() < acknowledged_.size() &&
+         !interrupted()) {
+    if ((ros::WallTime::now() - start).toSec() > timeout) {
+      throw std::runtime_error(fmt::format(
+          "{} of {} nodes in acknowledged_by publish on {} within {} s (timeout)",
+          subscriber_.getNumPublishers(), acknowledged_.size(), subscriber_.getTopic(), timeout));
+    }
+    serve_callbacks();
+  }
+}
+
 void Pacing::wait(std::uint32_t run, std::int64_t sequence, double timeout) {
   last_news_ = ros::WallTime::now();
   for (const auto& reader : acknowledged_) {

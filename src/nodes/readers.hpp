@@ -51,6 +51,11 @@ class Pacing {
  public:
   Pacing(ros::NodeHandle& node, const std::vector<std::string>& names);
 
+  /// Waits until the acknowledgements of all readers can be heard, or until `interrupted`: one sent
+  /// before would be lost.
+  /// @throw std::runtime_error after `timeout` seconds.
+  void wait_for_links(double timeout);
+
   /// Waits until every reader has acknowledged the message `sequence` of `run` or a later one, or
   /// until `interrupted`.
   /// @throw std::runtime_error when nothing is acknowledged for `timeout` seconds.

@@ -68,6 +68,7 @@ SimulationNode::SimulationNode(const SimulationNodeParameters& parameters,
 
 bool SimulationNode::run_series() {
   readers_.wait(parameters_.timeout);
+  pacing_.wait_for_links(parameters_.timeout);
   for (const Scene& scene : series_) {
     if (interrupted()) break;
     simulate(scene);

@@ -23,10 +23,8 @@ class Pipeline {
       : analysis_({[this](const lattice_impact::Strain& strain) { add_result(strain); },
                    [this](const lattice_impact::Restitution& result) { add_result(result); },
                    [](std::uint32_t, std::uint32_t) {},
-                   [this, name_space](const std::string& problem) {
-                     complete_ = false;
-                     fmt::print(stderr, "analyse_bag: {}: {}\n", name_space, problem);
-                   }}) {}
+                   [this](const std::string& problem) { report(problem); }}),
+        name_space_(name_space) {}
 
   void add(const rosbag::MessageInstance& message) {
     take<lattice_impact::Lattice>(message) || take<lattice_impact::ParticleStates>(message) ||
@@ -41,6 +39,12 @@ class Pipeline {
       published_[type<lattice_impact::ParticleStates>()] += status.second.states;
       published_[type<lattice_impact::ContactForces>()] += status.second.states;
       published_[type<lattice_impact::RunStatus>()] += status.second.sequence + 1;
+      if (status.second.phase == lattice_impact::RunStatus::INTERRUPTED) {
+        report(fmt::format("run {}: interrupted", status.first));
+      }
+      if (status.second.phase == lattice_impact::RunStatus::FAILED) {
+        report(fmt::format("run {}: {}", status.first, status.second.error));
+      }
     }
     for (const auto& topic : topics_) {
       complete_ = complete_ && topic.second.recorded == published_[topic.second.type];
@@ -65,6 +69,11 @@ class Pipeline {
   const std::vector<YAML::Node>& results() const { return results_; }
 
  private:
+  void report(const std::string& problem) {
+    complete_ = false;
+    fmt::print(stderr, "analyse_bag: {}: {}\n", name_space_, problem);
+  }
+
   struct Topic {
     std::string type;
     std::uint64_t recorded = 0;
@@ -132,6 +141,7 @@ class Pipeline {
   }
 
   SeriesAnalysis analysis_;
+  std::string name_space_;
   std::map<std::string, Topic> topics_;                             ///< recorded, by name
   std::map<std::string, std::uint64_t> published_;                  ///< by type
   std::map<std::uint32_t, lattice_impact::RunStatus> last_status_;  ///< by run
