@@ -7,6 +7,7 @@ import unittest
 
 import rospy
 import rostest
+from lattice_impact.msg import Acknowledged
 
 from master_witness import MasterWitness
 from programs import PACKAGE, SMALL_COLLISION, analysis, random_namespace, simulation
@@ -111,11 +112,21 @@ class ParametersTest(unittest.TestCase):
         with analysis(self.namespace, wait_for=['nobody'], timeout=1) as process:
             self.assert_misses_subscriber(process, ['strain', 'restitution'])
 
-    def test_simulation_misses_an_acknowledgement(self):
+    def assert_stops_without_acknowledgement(self, complaint):
         with self.simulate({}, bag='', acknowledged_by=['nobody'], timeout=1) as process:
             self.assertEqual(process.wait(), 1)
             line, = process.stderr().splitlines()
-            self.assertIn(self.namespace + '/nobody has acknowledged nothing for 1 s', line)
+            self.assertIn(complaint, line)
+
+    def test_simulation_misses_an_acknowledging_node(self):
+        self.assert_stops_without_acknowledgement(
+            'publish on {}/acknowledged within 1 s (timeout)'.format(self.namespace))
+
+    def test_simulation_misses_an_acknowledgement(self):
+        silent = rospy.Publisher(self.namespace + '/acknowledged', Acknowledged, queue_size=1)
+        self.addCleanup(silent.unregister)
+        self.assert_stops_without_acknowledgement(
+            self.namespace + '/nobody has acknowledged nothing for 1 s (timeout)')
 
 
 if __name__ == '__main__':
