@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <fstream>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -39,8 +41,12 @@ class LineReader {
 
   const std::vector<std::string>& words() const { return words_; }
 
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(fmt::format("{}:{}: {}", path_.string(), number_, what));
+  int number() const { return number_; }
+
+  [[noreturn]] void fail(const std::string& what) const { fail_at(number_, what); }
+
+  [[noreturn]] void fail_at(int number, const std::string& what) const {
+    throw InputError(fmt::format("{}:{}: {}", path_.string(), number, what));
   }
 
   void require_columns(std::size_t low, std::size_t high, const char* form) const {
@@ -105,12 +111,17 @@ class DataFile {
   Lattice lattice() && { return make_lattice(std::move(points_), std::move(bonds_)); }
 
  private:
-  static constexpr std::int32_t kMostEntries = std::numeric_limits<std::int32_t>::max();
+  static constexpr std::int32_t kMostAtoms = 1000000;
+  static constexpr std::int32_t kMostBonds = 100000000;
 
   void begin(const std::string& section) {
     if (section == "Atoms") {
       if (atom_count_ < 0) reader_.fail("no line `N atoms` before the section Atoms");
       points_.setConstant(atom_count_, 2, std::numeric_limits<double>::quiet_NaN());
+      atom_lines_.resize(static_cast<std::size_t>(atom_count_));
+    }
+    if (section == "Bonds" && bond_count_ < 0) {
+      reader_.fail("no line `N bonds` before the section Bonds");
     }
     if (section == "Bonds" && points_.rows() == 0) {
       reader_.fail("the section Bonds comes before the section Atoms");
@@ -122,18 +133,62 @@ class DataFile {
       for (Eigen::Index i = 0; i < points_.rows(); ++i) {
         if (std::isnan(points_(i, 0))) reader_.fail(fmt::format("atom {} is missing", i + 1));
       }
+      require_distinct_atoms();
     }
-    if (section == "Bonds" && static_cast<std::int64_t>(bonds_.size()) != bond_count_) {
-      reader_.fail(fmt::format("{} bonds, the header says {}", bonds_.size(), bond_count_));
+    if (section == "Bonds") {
+      if (static_cast<std::int64_t>(bonds_.size()) != bond_count_) {
+        reader_.fail(fmt::format("{} bonds, the header says {}", bonds_.size(), bond_count_));
+      }
+      require_distinct_bonds();
     }
+  }
+
+  void require_distinct_atoms() const {
+    const auto place = [this](std::int32_t i) {
+      return std::make_pair(points_(i, 0), points_(i, 1));
+    };
+    const auto same = first_pair(
+        atom_lines_.size(), [&](auto a, auto b) { return place(a) < place(b); },
+        [&](auto a, auto b) { return place(a) == place(b); });
+    if (!same) return;
+    reader_.fail_at(std::max(line(atom_lines_, same->first), line(atom_lines_, same->second)),
+                    fmt::format("atoms {} and {} coincide", same->first + 1, same->second + 1));
+  }
+
+  void require_distinct_bonds() const {
+    const auto bond = [this](std::int32_t k) { return bonds_[static_cast<std::size_t>(k)]; };
+    const auto same = first_pair(
+        bonds_.size(), [&](auto a, auto b) { return bond(a) < bond(b); },
+        [&](auto a, auto b) { return bond(a) == bond(b); });
+    if (!same) return;
+    reader_.fail_at(std::max(line(bond_lines_, same->first), line(bond_lines_, same->second)),
+                    fmt::format("atoms {} and {} are bonded twice", bond(same->first).first + 1,
+                                bond(same->first).second + 1));
+  }
+
+  static int line(const std::vector<int>& lines, std::int32_t place) {
+    return lines[static_cast<std::size_t>(place)];
+  }
+
+  /// Two of the places 0 … count − 1 that are equal; the lower first.
+  template <class Less, class Equal>
+  static std::optional<std::pair<std::int32_t, std::int32_t>> first_pair(std::size_t count,
+                                                                         const Less& less,
+                                                                         const Equal& equal) {
+    std::vector<std::int32_t> places(count);
+    std::iota(places.begin(), places.end(), 0);
+    std::sort(places.begin(), places.end(), less);
+    const auto same = std::adjacent_find(places.begin(), places.end(), equal);
+    if (same == places.end()) return std::nullopt;
+    return std::minmax(*same, *std::next(same));
   }
 
   void read_header_line() {
     if (reader_.words().size() != 2) return;
     if (reader_.words()[1] == "atoms") {
-      atom_count_ = reader_.whole(0, 3, kMostEntries, "number of atoms");
+      atom_count_ = reader_.whole(0, 3, kMostAtoms, "number of atoms");
     } else if (reader_.words()[1] == "bonds") {
-      bond_count_ = reader_.whole(0, 3, kMostEntries, "number of bonds");
+      bond_count_ = reader_.whole(0, 2, kMostBonds, "number of bonds");
     }
   }
 
@@ -146,6 +201,7 @@ class DataFile {
       reader_.whole(flag, 0, 0, "image flag (positions must be unwrapped)");
     }
     points_.row(index) << reader_.real(3), reader_.real(4);
+    atom_lines_[static_cast<std::size_t>(index)] = reader_.number();
   }
 
   void read_bond() {
@@ -153,10 +209,8 @@ class DataFile {
     const std::int32_t a = reader_.whole(2, 1, points_.rows(), "atom") - 1;
     const std::int32_t b = reader_.whole(3, 1, points_.rows(), "atom") - 1;
     if (a == b) reader_.fail(fmt::format("atom {} is bonded to itself", a + 1));
-    if ((points_.row(a) == points_.row(b)).all()) {
-      reader_.fail(fmt::format("atoms {} and {} coincide", a + 1, b + 1));
-    }
     bonds_.push_back({std::min(a, b), std::max(a, b)});
+    bond_lines_.push_back(reader_.number());
   }
 
   LineReader reader_;
@@ -164,6 +218,8 @@ class DataFile {
   std::int64_t bond_count_ = -1;
   PointArray points_;
   std::vector<Bond> bonds_;
+  std::vector<int> atom_lines_;  ///< in the file
+  std::vector<int> bond_lines_;
 };
 
 }  // namespace

@@ -8,7 +8,6 @@
 namespace impact {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kBlueNoiseSpacing = 0.6;  // in units of s
 
 /// Knows whether a point keeps its distance from all points added before: a grid of cells so small
@@ -60,7 +59,7 @@ class UniformInDisk {
  public:
   Eigen::Array<double, 1, 2> operator()(std::mt19937_64& random) {
     const double radius = std::sqrt(unit_(random));
-    const double angle = 2.0 * kPi * unit_(random);
+    const double angle = 2.0 * M_PI * unit_(random);
     return {radius * std::cos(angle), radius * std::sin(angle)};
   }
 
@@ -70,10 +69,10 @@ class UniformInDisk {
 
 std::int32_t place_rim(PointArray& points, double spacing, std::mt19937_64& random) {
   const auto on_rim = static_cast<std::int32_t>(
-      std::min(static_cast<double>(points.rows()), std::floor(2.0 * kPi / spacing)));
-  const double turn = std::uniform_real_distribution<double>(0.0, 2.0 * kPi)(random);
+      std::min(static_cast<double>(points.rows()), std::floor(2.0 * M_PI / spacing)));
+  const double turn = std::uniform_real_distribution<double>(0.0, 2.0 * M_PI)(random);
   for (std::int32_t k = 0; k < on_rim; ++k) {
-    const double angle = turn + 2.0 * kPi * k / on_rim;
+    const double angle = turn + 2.0 * M_PI * k / on_rim;
     points.row(k) << std::cos(angle), std::sin(angle);
   }
   return on_rim;
@@ -84,7 +83,7 @@ std::int32_t place_rim(PointArray& points, double spacing, std::mt19937_64& rand
 PointArray place_in_disk(const DiskRecipe& recipe, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   PointArray points(recipe.points, 2);
-  const double spacing = std::sqrt(kPi / recipe.points);
+  const double spacing = std::sqrt(M_PI / recipe.points);
   const std::int32_t on_rim = recipe.rim ? place_rim(points, spacing, random) : 0;
 
   UniformInDisk draw;

@@ -90,6 +90,38 @@ double BondForces::potential_energy(const PointArray& position) const {
   return law_.k_a * linear / 2.0 + law_.k_b * cubic / 4.0;
 }
 
+std::vector<Eigen::Triplet<double>> BondForces::stiffness(const PointArray& position) const {
+  const auto points = static_cast<std::int32_t>(position.rows());
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(16 * neighbours_.size());
+  for (std::int32_t i = 0; i < points; ++i) {
+    const auto place = static_cast<std::size_t>(i);
+    for (std::int32_t k = begin_[place]; k < begin_[place + 1]; ++k) {
+      const Neighbour& neighbour = neighbours_[static_cast<std::size_t>(k)];
+      const std::int32_t j = neighbour.point;
+      const Eigen::Vector2d offset = (position.row(i) - position.row(j)).matrix().transpose();
+      const double length = offset.norm();
+      const Eigen::Vector2d normal = offset / length;
+      const double x = length - neighbour.natural_length;
+      const double along = law_.k_a + 3.0 * law_.k_b * x * x;
+      const double across = (law_.k_a * x + law_.k_b * x * x * x) / length;
+      const Eigen::Matrix2d projection = normal * normal.transpose();
+      const Eigen::Matrix2d block =
+          along * projection + across * (Eigen::Matrix2d::Identity() - projection);
+      for (int row = 0; row < 2; ++row) {
+        for (int column = 0; column < 2; ++column) {
+          const double value = block(row, column);
+          entries.emplace_back(row * points + i, column * points + i, value);
+          entries.emplace_back(row * points + j, column * points + j, value);
+          entries.emplace_back(row * points + i, column * points + j, -value);
+          entries.emplace_back(row * points + j, column * points + i, -value);
+        }
+      }
+    }
+  }
+  return entries;
+}
+
 std::string BondForces::name() const {
   if (law_.k_b != 0.0) return damped() ? "bonds (cubic, damped)" : "bonds (cubic)";
   return damped() ? "bonds (damped)" : "bonds";

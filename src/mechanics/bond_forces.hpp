@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/SparseCore>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,10 @@ class BondForces {
 
   /// Σ k_a x²/2 + k_b x⁴/4, in M c².
   double potential_energy(const PointArray& position) const;
+
+  /// The entries of the tangent stiffness matrix −∂f/∂r (M c²/R²), those of one place to be added
+  /// up; row and column i stand for x of point i, N + i for its y.
+  std::vector<Eigen::Triplet<double>> stiffness(const PointArray& position) const;
 
   bool damped() const { return law_.eta != 0.0; }
 

@@ -17,8 +17,6 @@ class CompressionLoad {
   /// P times the height of the centre of mass, in M c².
   double potential_energy(const PointArray& position) const { return p_ * position.col(1).mean(); }
 
-  double total() const { return p_; }
-
  private:
   double p_;
 };

@@ -25,6 +25,9 @@ class RotationHold {
     force += multiplier_ * direction_;
   }
 
+  /// ẑ × R_i: the constraint keeps its sum of products with the displacements at zero.
+  const PointArray& direction() const { return direction_; }
+
   /// Torque of the constraint in the last apply(), counter-clockwise, in M c².
   double torque() const { return multiplier_ * norm_squared_; }
 

@@ -27,6 +27,13 @@ void Simulation::step() {
   state_.time = static_cast<double>(ticks_) * step_size_;
 }
 
+bool Simulation::settle(double tolerance) {
+  const EquilibriumSearch search = find_equilibrium(field_, state_.position, tolerance);
+  state_.velocity.setZero();
+  state_.step += static_cast<std::uint64_t>(search.iterations);
+  return search.found;
+}
+
 void Simulation::watch_wall() {
   const PotentialWall& wall = *field_.wall;
   const double approach = std::max(0.0, -state_.velocity.col(1).minCoeff());

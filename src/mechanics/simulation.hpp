@@ -4,6 +4,7 @@
 #include "mechanics/force_field.hpp"
 #include "mechanics/spectrum.hpp"
 #include "mechanics/state.hpp"
+#include "mechanics/static_equilibrium.hpp"
 #include "mechanics/velocity_verlet.hpp"
 
 namespace impact {
@@ -20,6 +21,11 @@ class Simulation {
   Simulation(ForceField field, State initial, const Spectrum& spectrum, double step);
 
   void step();
+
+  /// Goes to the equilibrium at rest instead, see find_equilibrium(); its iterations count as
+  /// steps. The energy that damped motion would have lost on the way is not known. False when none
+  /// was found.
+  bool settle(double tolerance);
 
   const State& state() const { return state_; }
   const ForceField& field() const { return field_; }

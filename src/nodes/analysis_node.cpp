@@ -4,6 +4,8 @@
 #include <lattice_impact/Acknowledged.h>
 #include <ros/callback_queue.h>
 
+#include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "nodes/program.hpp"
@@ -20,7 +22,7 @@ AnalysisNode::AnalysisNode(const AnalysisNodeParameters& parameters)
       readers_(node_, parameters.wait_for),
       strain_(readers_.advertise<lattice_impact::Strain>("strain")),
       restitution_(readers_.advertise<lattice_impact::Restitution>("restitution", true)),
-      acknowledged_(node_.advertise<lattice_impact::Acknowledged>("acknowledged", 0)),
+      acknowledged_(node_.advertise<lattice_impact::Acknowledged>("acknowledged", 0, true)),
       analysis_({[this](const lattice_impact::Strain& strain) { publish(strain); },
                  [this](const lattice_impact::Restitution& result) { publish(result); },
                  [this](std::uint32_t run, std::uint32_t sequence) { acknowledge(run, sequence); },
@@ -40,7 +42,7 @@ bool AnalysisNode::run() {
   while (!interrupted() && !(parameters_.exit_when_done && analysis_.done())) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll));
     if (analysis_.waits_for_missing() && silence() > parameters_.patience) analysis_.close();
-    if (parameters_.exit_when_done && silence() > parameters_.timeout) break;
+    if (parameters_.exit_when_done && silence() > patience_for_publishers()) break;
   }
   if (parameters_.exit_when_done && !any_message_ && !interrupted()) {
     throw std::runtime_error(fmt::format("no message for {} s (timeout)", parameters_.timeout));
@@ -85,6 +87,13 @@ void AnalysisNode::acknowledge(std::uint32_t run, std::uint32_t sequence) {
   message.run = run;
   message.sequence = sequence;
   acknowledged_.publish(message);
+}
+
+double AnalysisNode::patience_for_publishers() const {
+  if (!any_message_) return parameters_.timeout;
+  const bool alone = std::all_of(subscribers_.begin(), subscribers_.end(),
+                                 [](const auto& link) { return link.getNumPublishers() == 0; });
+  return alone ? parameters_.patience : std::numeric_limits<double>::infinity();
 }
 
 double AnalysisNode::silence() const { return (ros::WallTime::now() - last_message_).toSec(); }

@@ -16,8 +16,8 @@ class AnalysisNode {
  public:
   explicit AnalysisNode(const AnalysisNodeParameters& parameters);
 
-  /// Takes in messages until interrupted or, if asked for, until the series is done or nothing has
-  /// come for the time-out. False when messages were missing.
+  /// Takes in messages until interrupted or, if asked for, until the series is done or its
+  /// publishers have gone. False when messages were missing.
   /// @throw std::runtime_error when a reader of the results is missing, or nothing came at all.
   bool run();
 
@@ -28,6 +28,7 @@ class AnalysisNode {
   void publish(const lattice_impact::Strain& strain);
   void acknowledge(std::uint32_t run, std::uint32_t sequence);
   double silence() const;
+  double patience_for_publishers() const;
 
   AnalysisNodeParameters parameters_;
   ros::NodeHandle node_;

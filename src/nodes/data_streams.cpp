@@ -6,11 +6,17 @@
 
 namespace impact {
 
-DataStreams::DataStreams(Readers& readers, const std::string& bag)
+DataStreams::DataStreams(Readers& readers)
     : lattice_(readers.advertise<lattice_impact::Lattice>("lattice", true)),
       states_(readers.advertise<lattice_impact::ParticleStates>("particle_states")),
       forces_(readers.advertise<lattice_impact::ContactForces>("contact_forces")),
-      status_(readers.advertise<lattice_impact::RunStatus>("run_status", true)) {
+      status_(readers.advertise<lattice_impact::RunStatus>("run_status", true)) {}
+
+bool DataStreams::heard() const {
+  return bag_ || states_.getNumSubscribers() > 0 || forces_.getNumSubscribers() > 0;
+}
+
+void DataStreams::open_bag(const std::string& bag) {
   if (bag.empty()) return;
   try {
     bag_.emplace(bag, rosbag::bagmode::Write);

@@ -17,9 +17,14 @@ namespace impact {
 /// The four topics that carry a run, to subscribers and, if asked for, into a bag.
 class DataStreams {
  public:
-  /// `bag`: file to write; empty: none.
-  /// @throw InputError when the file cannot be opened.
-  DataStreams(Readers& readers, const std::string& bag);
+  explicit DataStreams(Readers& readers);
+
+  /// From here on everything goes into this file too; empty: none.
+  /// @throw InputError when it cannot be opened.
+  void open_bag(const std::string& bag);
+
+  /// Somebody takes states and forces: a bag or a subscriber.
+  bool heard() const;
 
   void send(const lattice_impact::Lattice& message);
   void send(const lattice_impact::ParticleStates& message);

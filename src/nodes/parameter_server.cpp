@@ -3,8 +3,26 @@
 #include <ros/param.h>
 #include <ros/this_node.h>
 
+#include <regex>
+#include <string>
+
 namespace impact {
 namespace {
+
+YAML::Node real_node(double value) {
+  const std::string text = fmt::format("{}", value);
+  const bool looks_whole = text.find_first_not_of("-0123456789") == std::string::npos;
+  return YAML::Node(looks_whole ? text + ".0" : text);
+}
+
+/// Quoted, so that it cannot pass for a number; but rosparam takes 1e-3, which has no point, for a
+/// text.
+YAML::Node text_node(const std::string& text) {
+  static const std::regex exponential("[-+]?[0-9]+[eE][-+]?[0-9]+");
+  YAML::Node node(text);
+  if (!std::regex_match(text, exponential)) node.SetTag("!");
+  return node;
+}
 
 YAML::Node to_yaml(XmlRpc::XmlRpcValue& value) {
   switch (value.getType()) {
@@ -13,9 +31,9 @@ YAML::Node to_yaml(XmlRpc::XmlRpcValue& value) {
     case XmlRpc::XmlRpcValue::TypeInt:
       return YAML::Node(static_cast<int>(value));
     case XmlRpc::XmlRpcValue::TypeDouble:
-      return exact(static_cast<double>(value));
+      return real_node(static_cast<double>(value));
     case XmlRpc::XmlRpcValue::TypeString:
-      return YAML::Node(static_cast<std::string>(value));
+      return text_node(static_cast<std::string>(value));
     case XmlRpc::XmlRpcValue::TypeArray: {
       YAML::Node list(YAML::NodeType::Sequence);
       for (int i = 0; i < value.size(); ++i) {  // NOLINT(modernize-loop-convert): no begin() here

@@ -27,6 +27,19 @@ double expected_size(const Scene& scene, const Composition& composition) {
                    2.0 * 8.0 * samples + kOverhead);
 }
 
+/// Stamps must differ from one state to the next, and fit into ros::Duration.
+void check_stamps(double seconds_per_time_unit, double period, double longest_time) {
+  constexpr double kResolution = 1e-8;       // s, ten of ros::Time's nanoseconds
+  constexpr double kLargest = 2147483647.0;  // s
+  const double low = kResolution / period;
+  const double high = kLargest / std::max(longest_time, period);
+  if (seconds_per_time_unit < low || seconds_per_time_unit > high) {
+    throw bad_value(
+        "seconds_per_time_unit", fmt::format("{}", seconds_per_time_unit),
+        fmt::format("number in [{:.3g}, {:.3g}] for the stamps of this series", low, high));
+  }
+}
+
 double free_space(const std::string& file) {
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   std::error_code error;
@@ -41,7 +54,14 @@ double free_space(const std::string& file) {
 
 void check_series(const SimulationNodeParameters& parameters, const std::vector<Scene>& series) {
   double size = 0.0;
-  for (const Scene& scene : series) size += expected_size(scene, compose(scene));
+  double longest_time = 0.0;
+  for (const Scene& scene : series) {
+    if (interrupted()) return;
+    const Composition composition = compose(scene);
+    size += expected_size(scene, composition);
+    longest_time += Run::kPatience * composition.expected_time;
+    check_stamps(parameters.seconds_per_time_unit, scene.output.period, longest_time);
+  }
   ROS_INFO(
       "%s",
       fmt::format("{} run(s), about {:.3g} MB of messages", series.size(), size / 1e6).c_str());
@@ -56,7 +76,7 @@ SimulationNode::SimulationNode(const SimulationNodeParameters& parameters,
     : parameters_(parameters),
       series_(std::move(series)),
       readers_(node_, parameters.wait_for),
-      streams_(readers_, parameters.bag),
+      streams_(readers_),
       pacing_(node_, parameters.acknowledged_by),
       viewer_(node_) {
   if (parameters.publish_clock) clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 0);
@@ -69,6 +89,7 @@ SimulationNode::SimulationNode(const SimulationNodeParameters& parameters,
 bool SimulationNode::run_series() {
   readers_.wait(parameters_.timeout);
   pacing_.wait_for_links(parameters_.timeout);
+  if (!interrupted()) streams_.open_bag(parameters_.bag);
   for (const Scene& scene : series_) {
     if (interrupted()) break;
     simulate(scene);
@@ -86,10 +107,10 @@ void SimulationNode::simulate(const Scene& scene) {
   publish_output(run);
   try {
     while (!run.finished() && !interrupted()) {
-      run.advance();
+      run.advance(interrupted);
       publish_output(run);
     }
-  } catch (const RunFailure& failure) {
+  } catch (const std::runtime_error& failure) {
     publish_status(run, lattice_impact::RunStatus::FAILED, failure.what());
     streams_.close();
     throw;
@@ -104,7 +125,7 @@ void SimulationNode::start(const Scene& scene, const Run& run) {
   status_.sequence = 0;
   status_.states = 0;
   status_.scene = to_yaml(scene);
-  status_.integrator = "verlet";
+  status_.integrator = run.integrator();
   status_.terms = run.simulation().field().terms();
 
   lattice_impact::Lattice lattice = to_message(run.lattice());
@@ -117,24 +138,28 @@ void SimulationNode::start(const Scene& scene, const Run& run) {
 
 void SimulationNode::publish_output(Run& run) {
   const ContactReport report = run.take_contact_report();
-  lattice_impact::ParticleStates states = to_message(run.state());
-  lattice_impact::ContactForces forces = to_message(report);
-  states.header.stamp = forces.header.stamp = stamp(run);
-  states.run = forces.run = status_.run;
-  states.sequence = forces.sequence = status_.states;
-  streams_.send(states);
-  streams_.send(forces);
+  if (streams_.heard()) send(run.state(), report, stamp(run));
   ++status_.states;
   if (status_.states % kStatusInterval == 0) {
     publish_status(run, lattice_impact::RunStatus::RUNNING);
   }
-  viewer_.publish(states.header.stamp, run.lattice(), run.state(), report);
+  viewer_.publish(stamp(run), run.lattice(), run.state(), report);
   if (parameters_.publish_clock) {
     rosgraph_msgs::Clock clock;
-    clock.clock = states.header.stamp;
+    clock.clock = stamp(run);
     clock_.publish(clock);
   }
   keep_pace();
+}
+
+void SimulationNode::send(const State& state, const ContactReport& report, const ros::Time& stamp) {
+  lattice_impact::ParticleStates states = to_message(state);
+  lattice_impact::ContactForces forces = to_message(report);
+  states.header.stamp = forces.header.stamp = stamp;
+  states.run = forces.run = status_.run;
+  states.sequence = forces.sequence = status_.states;
+  streams_.send(states);
+  streams_.send(forces);
 }
 
 void SimulationNode::publish_status(const Run& run, std::uint8_t phase, const std::string& error) {

@@ -27,14 +27,15 @@ class SimulationNode {
   SimulationNode(const SimulationNodeParameters& parameters, std::vector<Scene> series);
 
   /// Runs the series. False when it was interrupted.
-  /// @throw RunFailure when a run cannot go on, after that has been published and the bag closed;
-  /// std::runtime_error when a reader is missing.
+  /// @throw InputError when the bag cannot be opened; std::runtime_error when a reader is missing,
+  /// and when a run cannot go on, after that has been published and the bag closed.
   bool run_series();
 
  private:
   void simulate(const Scene& scene);
   void start(const Scene& scene, const Run& run);
   void publish_output(Run& run);
+  void send(const State& state, const ContactReport& report, const ros::Time& stamp);
   void publish_status(const Run& run, std::uint8_t phase, const std::string& error = {});
   void keep_pace();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;

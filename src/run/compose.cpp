@@ -1,9 +1,12 @@
 #include "run/compose.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "lattice/input_error.hpp"
 #include "lattice/lammps_data.hpp"
 #include "lattice/placement.hpp"
 #include "run/step_choice.hpp"
@@ -11,14 +14,18 @@
 namespace impact {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// E of the triangular lattice, 2/√3 k_a, and the density M/(πR²): close to what random lattices
 /// have (physics: 1.04 … 1.1 k_a).
-double estimated_sound_speed(double k_a) { return std::sqrt(2.0 / std::sqrt(3.0) * k_a * kPi); }
+double estimated_sound_speed(double k_a) { return std::sqrt(2.0 / std::sqrt(3.0) * k_a * M_PI); }
 
 Lattice disk_lattice(const Scene& scene) {
-  if (!scene.disk.file.empty()) return read_lammps_data(scene.disk.file);
+  if (!scene.disk.file.empty()) {
+    try {
+      return read_lammps_data(scene.disk.file);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("disk.file: {}", error.what()));
+    }
+  }
   return triangulated_lattice(place_in_disk(scene.disk.recipe, scene.seed));
 }
 
@@ -38,21 +45,24 @@ State initial_state(const Scene& scene, const PointArray& reference, const Poten
   return state;
 }
 
-/// Time until the disk's bouncing on the wall has decayed to the wanted error. Its frequency is
-/// that of the 2D Hertz contact, M ω² = dP/dξ ≈ πE/(ln(4πER/P) − 2); Kelvin–Voigt damping with the
-/// time constant η/k_a lets it decay at the rate (η/k_a) ω²/2, or k_a/η when overdamped.
+/// Rough time until the disk's bouncing on the wall has decayed to the wanted error. The disk is
+/// the spring k_d = dP/dξ ≈ πE/(ln(4πER/P) − 2) of the 2D Hertz contact with Kelvin–Voigt damping
+/// of the time constant η/k_a, in series with the wall's own undamped spring k_w = a P. So the
+/// bouncing decays at the rate (η/k_a) k_d (k_w/(k_w + k_d))²/(2M), or k_a/η when overdamped.
 double relaxation_time(const Scene& scene, double sound_speed, int points) {
   const double time_constant = scene.material.eta / (points * scene.material.k_a);
   const double pi_e = sound_speed * sound_speed;
-  const double omega_squared = pi_e / std::max(1.0, std::log(4.0 * pi_e / scene.load.p) - 2.0);
-  const double rate = std::min(0.5 * time_constant * omega_squared, 1.0 / time_constant);
+  const double disk = pi_e / std::max(1.0, std::log(4.0 * pi_e / scene.load.p) - 2.0);
+  const double wall = scene.wall.a * scene.load.p;
+  const double share = wall / (wall + disk);
+  const double rate = std::min(0.5 * time_constant * disk * share * share, 1.0 / time_constant);
   return std::log(10.0 / scene.numerics.error) / rate;
 }
 
 double impact_time(const Scene& scene, double sound_speed, double gap) {
   const double v = scene.impact.velocity;
   const double contact =
-      kPi / sound_speed * std::sqrt(std::max(1.0, std::log(4.0 * sound_speed / v)));
+      M_PI / sound_speed * std::sqrt(std::max(1.0, std::log(4.0 * sound_speed / v)));
   return 2.0 * std::max(0.0, gap) / v + contact;
 }
 
@@ -78,7 +88,9 @@ Composition compose(const Scene& scene) {
   if (scene.kind == SceneKind::kContact) {
     field.load.emplace(scene.load.p);
     if (scene.load.hold_rotation) field.hold.emplace(lattice.points);
-    expected_time = relaxation_time(scene, sound_speed, points);
+    if (scene.numerics.integrator != IntegratorKind::kNewton) {
+      expected_time = relaxation_time(scene, sound_speed, points);
+    }
   } else {
     expected_time = impact_time(scene, sound_speed, initial.position.col(1).minCoeff());
   }

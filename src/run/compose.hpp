@@ -14,7 +14,7 @@ struct Composition {
   ForceField field;
   State initial;
   Spectrum spectrum;
-  double step = 0.0;           ///< R/c; divides the output period
+  double step = 0.0;           ///< R/c
   double sound_speed = 0.0;    ///< estimate of c_s for step sizes and waiting times, c
   double expected_time = 0.0;  ///< rough time at which the run's question is answered, R/c
 };

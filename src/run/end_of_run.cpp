@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace impact {
 namespace {
@@ -24,13 +25,11 @@ bool SeparationEnd::reached(const Simulation& simulation) {
   return touched_ && state.time - last_touch_ > waiting_time_ && state.velocity.col(1).sum() > 0.0;
 }
 
-RestEnd::RestEnd(const Scene& scene, Eigen::Index points) {
-  constexpr double kRounding = 2e-15;
-  const double tolerance = 0.1 * scene.numerics.error;
-  const double share = scene.load.p / static_cast<double>(points);
-  largest_force_ = std::max(tolerance * share, kRounding * scene.material.k_a);
-  largest_speed_ = tolerance * scene.load.p / std::sqrt(scene.material.k_a);
-}
+RestEnd::RestEnd(const Scene& scene, Eigen::Index points, double step)
+    : largest_force_(negligible_static_force(scene, points, step)),
+      largest_speed_(
+          std::max(0.1 * scene.numerics.error * scene.load.p / std::sqrt(scene.material.k_a),
+                   4.0 * std::numeric_limits<double>::epsilon() / step)) {}
 
 bool RestEnd::reached(const Simulation& simulation) {
   if (simulation.state().time < next_look_) return false;
@@ -39,9 +38,20 @@ bool RestEnd::reached(const Simulation& simulation) {
          simulation.largest_static_force() <= largest_force_;
 }
 
+double negligible_static_force(const Scene& scene, Eigen::Index points, double step) {
+  constexpr double kRounding = 2e-15;
+  const double share = 1.0 / static_cast<double>(points);
+  double rounding = kRounding * scene.material.k_a;
+  if (scene.numerics.integrator != IntegratorKind::kNewton) {
+    const double eta = scene.material.eta * share;
+    rounding += 12.0 * eta * std::numeric_limits<double>::epsilon() / step;
+  }
+  return std::max(0.1 * scene.numerics.error * scene.load.p * share, rounding);
+}
+
 std::unique_ptr<EndOfRun> end_of_run(const Scene& scene, const Composition& composition) {
   if (scene.kind == SceneKind::kContact) {
-    return std::make_unique<RestEnd>(scene, composition.lattice.points.rows());
+    return std::make_unique<RestEnd>(scene, composition.lattice.points.rows(), composition.step);
   }
   return std::make_unique<SeparationEnd>(negligible_wall_energy(scene), composition.sound_speed);
 }

@@ -35,11 +35,12 @@ class SeparationEnd : public EndOfRun {
 };
 
 /// The disk rests. Looked at once every R/c: no component of the static force on any point exceeds
-/// error/10 of P/N (or 2·10⁻¹⁵ k_a R, where rounding ends), and no component of a velocity
-/// error/10 of P/√(M k_a).
+/// error/10 of P/N (or what rounding leaves, see negligible_static_force), and no component of a
+/// velocity error/10 of P/√(M k_a) (or
+/// 4 ε R/h, which moves nothing in a step of h, with the spacing ε of doubles).
 class RestEnd : public EndOfRun {
  public:
-  RestEnd(const Scene& scene, Eigen::Index points);
+  RestEnd(const Scene& scene, Eigen::Index points, double step);
   bool reached(const Simulation& simulation) override;
   const char* flag_if_given_up() const override { return "not_at_rest"; }
 
@@ -48,6 +49,12 @@ class RestEnd : public EndOfRun {
   double largest_speed_;
   double next_look_ = 0.0;
 };
+
+/// The largest component of a static force (M c²/R) that counts as none in a contact scene:
+/// error/10 of P/N, but no less than what rounding leaves: 2·10⁻¹⁵ k_a R of the bonds and, where a
+/// motion in steps of h (R/c) comes to rest, 12 η ε R/h. There the damping, whose Laplacian has the
+/// largest eigenvalue 12, makes the displacement of a step smaller than the spacing ε of doubles.
+double negligible_static_force(const Scene& scene, Eigen::Index points, double step);
 
 std::unique_ptr<EndOfRun> end_of_run(const Scene& scene, const Composition& composition);
 

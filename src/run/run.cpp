@@ -6,8 +6,7 @@
 namespace impact {
 namespace {
 
-constexpr std::uint64_t kEnergyCheckSteps = 64;
-constexpr double kPatience = 20.0;  // in expected times
+constexpr std::uint64_t kCheckSteps = 64;
 constexpr int kMostHalvings = 20;
 
 /// The force above which a point is listed as in contact: 10⁻⁶ of the load, or of M v c/R.
@@ -34,13 +33,28 @@ Run::Run(const Scene& scene, Composition composition)
   }
 }
 
-void Run::advance() {
-  ++outputs_;
-  const double target = static_cast<double>(outputs_) * scene_.output.period;
-  while (!finished_ && state().time < target - 0.5 * simulation_.step_size()) {
+void Run::advance(const std::function<bool()>& stop) {
+  if (scene_.numerics.integrator == IntegratorKind::kNewton) {
+    settle();
+    return;
+  }
+  constexpr double kRounding = 1e-6;  // of a period
+  const double period = scene_.output.period;
+  const double target = (std::floor(state().time / period + kRounding) + 1.0 - kRounding) * period;
+  while (!finished_ && state().time < target) {
     simulation_.step();
     observe_step();
+    if (stop && state().step % kCheckSteps == 0 && stop()) return;
   }
+}
+
+void Run::settle() {
+  if (!simulation_.settle(
+          negligible_static_force(scene_, state().position.rows(), simulation_.step_size()))) {
+    flags_.emplace_back(end_->flag_if_given_up());
+  }
+  recorder_.add_step(simulation_);
+  finished_ = true;
 }
 
 void Run::observe_step() {
@@ -48,7 +62,7 @@ void Run::observe_step() {
   if (simulation_.halvings() > kMostHalvings) {
     throw RunFailure("the wall grew too stiff: the step was halved more than 20 times");
   }
-  if (state().step % kEnergyCheckSteps == 0) monitor_.check(simulation_);
+  if (state().step % kCheckSteps == 0) monitor_.check(simulation_);
   if (end_->reached(simulation_)) {
     finish();
   } else if (state().time > kPatience * expected_time_) {
@@ -60,6 +74,7 @@ void Run::observe_step() {
 void Run::finish() {
   finished_ = true;
   monitor_.check(simulation_);
+  if (monitor_.error() > scene_.numerics.error) flags_.emplace_back("energy_error");
   if (simulation_.halvings() > 0) flags_.emplace_back("step_reduced");
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,21 +15,31 @@
 namespace impact {
 
 /// One run of a scene, from output to output until its question is answered (see EndOfRun) or
-/// until 20 times the expected time has passed.
+/// until it is given up.
 class Run {
  public:
+  /// A run is given up after this many expected times.
+  static constexpr double kPatience = 20.0;
+
   /// @throw InputError as compose().
   explicit Run(const Scene& scene) : Run(scene, compose(scene)) {}
   Run(const Scene& scene, Composition composition);
 
-  /// Goes on to the next output time, or to the end if that comes first.
+  /// Goes on to the first step at or after the next output time, or to the end if that comes first,
+  /// or to where `stop`, asked every 64 steps, says true. The output times do not touch the motion.
+  /// With the integrator newton there is no motion: the first call goes to the static solution,
+  /// which is the end.
   /// @throw RunFailure when the energy balance breaks.
-  void advance();
+  void advance(const std::function<bool()>& stop = {});
 
   bool finished() const { return finished_; }
   const Lattice& lattice() const { return lattice_; }
   const Simulation& simulation() const { return simulation_; }
   const State& state() const { return simulation_.state(); }
+  /// The method in use: verlet or newton.
+  const char* integrator() const {
+    return scene_.numerics.integrator == IntegratorKind::kNewton ? "newton" : "verlet";
+  }
   double expected_time() const { return expected_time_; }
 
   ContactReport take_contact_report() { return recorder_.take(simulation_); }
@@ -38,13 +49,14 @@ class Run {
 
   /// What a reader should know of the run: `starts_in_wall` (the wall's energy at the start exceeds
   /// what numerics.error allows), `step_reduced` (the wall grew too stiff for the step, which was
-  /// halved), `not_separated` or `not_at_rest` (given up).
+  /// halved), `energy_error` (above numerics.error), `not_separated` or `not_at_rest` (given up).
   const std::vector<std::string>& flags() const { return flags_; }
 
   /// Largest e that energy allows: √(1 + 2U₀/(M v²)) with the wall's energy U₀ at the start.
   double restitution_bound() const { return restitution_bound_; }
 
  private:
+  void settle();
   void observe_step();
   void finish();
 
@@ -56,7 +68,6 @@ class Run {
   EnergyMonitor monitor_;
   ContactRecorder recorder_;
   double restitution_bound_ = 0.0;
-  std::uint64_t outputs_ = 0;
   bool finished_ = false;
   std::vector<std::string> flags_;
 };

@@ -12,9 +12,9 @@
 namespace impact {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kAccuracyFactor = 0.5;
 constexpr double kStabilityFactor = 0.9;
+constexpr double kLargestStep = 0.02;  // R/c
 
 double automatic_step(const Scene& scene, const Spectrum& spectrum, const PotentialWall& wall,
                       int points, double sound_speed) {
@@ -22,14 +22,7 @@ double automatic_step(const Scene& scene, const Spectrum& spectrum, const Potent
   const double omega_squared = spectrum.omega_squared + stiffness * points;
   const double step = std::min(kAccuracyFactor * 2.0 / std::sqrt(omega_squared),
                                kStabilityFactor * verlet_step_limit(omega_squared, spectrum.gamma));
-  return round_down_to_125(step);
-}
-
-double divide_period(double period, double step) {
-  constexpr double kRounding = 1e-9;
-  const double steps = period / step;
-  if (steps > 0.5 && std::abs(steps - std::round(steps)) < kRounding * steps) return step;
-  return period / std::ceil(steps);
+  return round_down_to_125(std::min(step, kLargestStep));
 }
 
 }  // namespace
@@ -40,22 +33,21 @@ double largest_point_force(const Scene& scene, int points, double sound_speed) {
     const double v = scene.impact.velocity;
     total = v * sound_speed / std::sqrt(std::max(1.0, std::log(4.0 * sound_speed / v)));
   }
-  const double young_modulus = sound_speed * sound_speed / kPi;
+  const double young_modulus = sound_speed * sound_speed / M_PI;
   const double stopping_one_point =
       scene.kind == SceneKind::kCollision
           ? 0.5 * scene.wall.a * scene.impact.velocity * scene.impact.velocity / points
           : 0.0;
-  const double half_width = std::sqrt(4.0 * total / (kPi * young_modulus));
-  const double peak_pressure = 2.0 * total / (kPi * half_width);
-  const double share = std::min(total, 2.0 * peak_pressure * std::sqrt(kPi / points));
+  const double half_width = std::sqrt(4.0 * total / (M_PI * young_modulus));
+  const double peak_pressure = 2.0 * total / (M_PI * half_width);
+  const double share = std::min(total, 2.0 * peak_pressure * std::sqrt(M_PI / points));
   return std::max(share, stopping_one_point);
 }
 
 double choose_step(const Scene& scene, const Spectrum& spectrum, const PotentialWall& wall,
                    int points, double sound_speed) {
   if (!scene.numerics.step) {
-    const double step = automatic_step(scene, spectrum, wall, points, sound_speed);
-    return divide_period(scene.output.period, step);
+    return automatic_step(scene, spectrum, wall, points, sound_speed);
   }
   const double limit = verlet_step_limit(spectrum.omega_squared, spectrum.gamma);
   if (*scene.numerics.step > limit) {
@@ -64,7 +56,7 @@ double choose_step(const Scene& scene, const Spectrum& spectrum, const Potential
         "Verlet on this lattice with this damping",
         *scene.numerics.step, limit));
   }
-  return divide_period(scene.output.period, *scene.numerics.step);
+  return *scene.numerics.step;
 }
 
 double round_down_to_125(double value) {

@@ -17,11 +17,9 @@ double largest_point_force(const Scene& scene, int points, double sound_speed);
 /// The step of the run (R/c).
 ///
 /// `auto`: half the stability limit 2/ω without damping, at most 0.9 of the limit with damping,
-/// the wall at its expected stiffest counted, rounded down to 1, 2 or 5 times a power of ten. The
-/// factor 1/2 is for accuracy: there the restitution of the default impact is good to better than
-/// 10⁻⁴. The rounding makes the step the same for all output periods that are its multiples.
-///
-/// Any step that does not divide the output period is shortened until it does.
+/// the wall at its expected stiffest counted, and at most 0.02 R/c; rounded down to 1, 2 or 5 times
+/// a power of ten, so that the usual output periods are its multiples. The factor 1/2 is for
+/// accuracy: there the restitution of the default impact is good to better than 10⁻⁴.
 /// @throw InputError when the given step exceeds the stability limit of the lattice and its
 /// damping.
 double choose_step(const Scene& scene, const Spectrum& spectrum, const PotentialWall& wall,

@@ -1,17 +1,25 @@
 #include "scene/parameter_table.hpp"
 
+#include <charconv>
+#include <system_error>
+
 namespace impact {
 namespace {
 
-void flatten_into(const YAML::Node& node, const std::string& path, FlatTree& leaves) {
+constexpr int kDeepest = 4;
+
+void flatten_into(const YAML::Node& node, const std::string& path, int depth, FlatTree& leaves) {
   if (!node.IsMap()) {
-    leaves.emplace(path, node);
+    if (!leaves.emplace(path, node).second) throw InputError(path + ": given twice");
     return;
   }
+  if (depth > kDeepest) throw InputError(path + ": nested too deeply");
   for (const auto& entry : node) {
     const auto name = scalar<std::string>(entry.first);
-    if (!name) throw InputError(fmt::format("{}: a key must be a word", one_line(entry.first)));
-    flatten_into(entry.second, path.empty() ? *name : path + "." + *name, leaves);
+    if (!name || name->find('\n') != std::string::npos) {
+      throw InputError(fmt::format("{}: a key must be a word", one_line(entry.first)));
+    }
+    flatten_into(entry.second, path.empty() ? *name : path + "." + *name, depth + 1, leaves);
   }
 }
 
@@ -23,17 +31,35 @@ FlatTree flatten(const YAML::Node& tree) {
   if (!tree.IsMap()) {
     throw InputError(fmt::format("got {}, allowed: a map of keys and values", one_line(tree)));
   }
-  flatten_into(tree, "", leaves);
+  flatten_into(tree, "", 0, leaves);
   return leaves;
+}
+
+std::optional<std::int64_t> whole_number(const YAML::Node& node) {
+  if (!node.IsScalar() || is_quoted(node)) return std::nullopt;
+  const std::string& text = node.Scalar();
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
 }
 
 std::string one_line(const YAML::Node& node) {
   if (!node || node.IsNull()) return "nothing";
+  if (node.IsMap()) return "a map";
+  if (node.IsSequence()) {
+    std::string elements;
+    for (const YAML::Node& element : node) {
+      const std::string text = element.IsSequence() ? "a list" : one_line(element);
+      elements += (elements.empty() ? "" : ", ") + text;
+    }
+    return "[" + elements + "]";
+  }
   YAML::Emitter emitter;
-  emitter.SetMapFormat(YAML::Flow);
-  emitter.SetSeqFormat(YAML::Flow);
-  emitter << node;
-  return emitter.c_str();
+  emitter << YAML::DoubleQuoted << node.Scalar();
+  const bool plain =
+      !node.Scalar().empty() && !is_quoted(node) && node.Scalar().find('\n') == std::string::npos;
+  return plain ? node.Scalar() : emitter.c_str();
 }
 
 }  // namespace impact

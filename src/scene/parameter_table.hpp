@@ -19,7 +19,8 @@ namespace impact {
 /// The leaves of a YAML tree of maps by their dotted path: {"impact.velocity": 0.01, …}.
 using FlatTree = std::map<std::string, YAML::Node>;
 
-/// @throw InputError when the tree is neither a map nor empty, or when a map is nested in a list.
+/// @throw InputError when the tree is neither a map nor empty, is nested without end, or gives a
+/// key twice.
 FlatTree flatten(const YAML::Node& tree);
 
 /// An interval of allowed numbers; written `[low, high]`, `(low, high]`, ….
@@ -61,9 +62,14 @@ std::optional<V> scalar(const YAML::Node& node) {
   return value;
 }
 
+/// True for a text in quotes, which is no number and no truth value.
+inline bool is_quoted(const YAML::Node& node) { return node.Tag() == "!"; }
+
 inline std::optional<double> number_in(const YAML::Node& node, const Interval& interval) {
   const std::optional<double> value = scalar<double>(node);
-  return value && std::isfinite(*value) && interval.contains(*value) ? value : std::nullopt;
+  return value && !is_quoted(node) && std::isfinite(*value) && interval.contains(*value)
+             ? value
+             : std::nullopt;
 }
 
 /// A real number. `member` returns a reference to it, given a `T&`.
@@ -101,13 +107,16 @@ Parameter<T> real_or_auto(std::string key, std::string unit, Interval interval, 
   return parameter;
 }
 
+/// A decimal whole number.
+std::optional<std::int64_t> whole_number(const YAML::Node& node);
+
 template <class T, class Member>
 Parameter<T> whole(std::string key, std::int64_t low, std::int64_t high, std::string meaning,
                    Member member) {
   Parameter<T> parameter{std::move(key), "-", fmt::format("whole number in [{}, {}]", low, high),
                          std::move(meaning)};
   parameter.read = [low, high, member](T& target, const YAML::Node& node) {
-    const auto value = scalar<std::int64_t>(node);
+    const auto value = whole_number(node);
     if (!value || *value < low || *value > high) return false;
     member(target) = static_cast<std::decay_t<decltype(member(target))>>(*value);
     return true;
@@ -121,8 +130,9 @@ Parameter<T> flag(std::string key, std::string meaning, Member member) {
   Parameter<T> parameter{std::move(key), "-", "true or false", std::move(meaning)};
   parameter.read = [member](T& target, const YAML::Node& node) {
     const auto value = scalar<bool>(node);
-    if (value) member(target) = *value;
-    return value.has_value();
+    if (!value || is_quoted(node)) return false;
+    member(target) = *value;
+    return true;
   };
   parameter.write = [member](T target) { return YAML::Node(member(target)); };
   return parameter;
@@ -190,14 +200,16 @@ inline InputError bad_value(const std::string& key, const std::string& got,
   return InputError(fmt::format("{}: got {}, allowed: {}", key, got, allowed));
 }
 
-/// The value as one line, for an error.
+/// The value as one line, for an error; lists and maps within it are not shown.
 std::string one_line(const YAML::Node& node);
 
 /// Sets every parameter of `target` that `values` names, in the order of the table.
 /// @throw InputError for a name that the table does not have or that does not apply, a wrong type
-/// and a value out of range: one line with key, value and what is allowed.
+/// and a value out of range: one line with key, value and what is allowed. `other_names` are
+/// allowed too, but were taken elsewhere.
 template <class T>
-void read_parameters(const std::vector<Parameter<T>>& table, const FlatTree& values, T& target) {
+void read_parameters(const std::vector<Parameter<T>>& table, const FlatTree& values, T& target,
+                     const std::string& other_names = {}) {
   for (const Parameter<T>& parameter : table) {
     const auto found = values.find(parameter.key);
     if (found == values.end() || !parameter.applies(target)) continue;
@@ -206,7 +218,7 @@ void read_parameters(const std::vector<Parameter<T>>& table, const FlatTree& val
     }
   }
   for (const auto& value : values) {
-    std::string names;
+    std::string names = other_names;
     bool known = false;
     for (const Parameter<T>& parameter : table) {
       if (!parameter.applies(target)) continue;
@@ -215,6 +227,16 @@ void read_parameters(const std::vector<Parameter<T>>& table, const FlatTree& val
     }
     if (!known) throw InputError(fmt::format("{}: unknown key, allowed: {}", value.first, names));
   }
+}
+
+/// The keys of the table, separated by commas.
+template <class T>
+std::string key_names(const std::vector<Parameter<T>>& table) {
+  std::string names;
+  for (const Parameter<T>& parameter : table) {
+    names += (names.empty() ? "" : ", ") + parameter.key;
+  }
+  return names;
 }
 
 /// The parameters that apply to `target`, as a YAML tree that reads back to the same bits.

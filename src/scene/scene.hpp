@@ -16,7 +16,11 @@ enum class SceneKind {
 
 enum class WallKind { kPotential };
 
-enum class IntegratorKind { kAuto, kVerlet };
+enum class IntegratorKind {
+  kAuto,
+  kVerlet,
+  kNewton  ///< no motion: a static solution, in a contact scene
+};
 
 /// The numbers of a whole simulation. Units: lengths in the disk's radius R, speeds in c, masses
 /// in the disk's mass M. parameters() has the meaning, unit and range of each member.

@@ -43,7 +43,8 @@ std::vector<P> make_table() {
       "material.k_b", "M c²/R⁴", {0.0, 1e12}, "cubic stiffness of a bond",
       [](Scene & s) -> auto& { return s.material.k_b; }));
   table.push_back(real<Scene>(
-      "material.eta", "(M/N) c/R", {0.0, 1e6}, "viscosity η* of a bond; above 0 in a contact scene",
+      "material.eta", "(M/N) c/R", {0.0, 1e6},
+      "viscosity η* of a bond; above 0 where a contact is to come to rest by motion",
       [](Scene & s) -> auto& { return s.material.eta; }));
 
   table.push_back(choice<Scene, WallKind>(
@@ -81,8 +82,12 @@ std::vector<P> make_table() {
                   [](Scene & s) -> auto& { return s.impact.gap; })));
 
   table.push_back(choice<Scene, IntegratorKind>(
-      "numerics.integrator", {{"auto", IntegratorKind::kAuto}, {"verlet", IntegratorKind::kVerlet}},
-      "method; auto: velocity Verlet", [](Scene & s) -> auto& { return s.numerics.integrator; }));
+      "numerics.integrator",
+      {{"auto", IntegratorKind::kAuto},
+       {"verlet", IntegratorKind::kVerlet},
+       {"newton", IntegratorKind::kNewton}},
+      "method; auto: velocity Verlet; newton: the static solution of a contact, without motion",
+      [](Scene & s) -> auto& { return s.numerics.integrator; }));
   table.push_back(real_or_auto<Scene>(
       "numerics.step", "R/c", {0.0, 10.0, false},
       "largest step; auto: from the stability bound; shortened to divide the output period",
@@ -100,9 +105,14 @@ std::vector<P> make_table() {
 }
 
 void check_combination(const Scene& scene) {
-  if (scene.kind == SceneKind::kContact && scene.material.eta == 0.0) {
-    throw bad_value("material.eta", "0",
-                    "above 0 in a contact scene, which comes to rest by damping");
+  const bool is_static = scene.numerics.integrator == IntegratorKind::kNewton;
+  if (is_static && scene.kind != SceneKind::kContact) {
+    throw bad_value("numerics.integrator", "newton", "auto or verlet in a scene of motion");
+  }
+  if (scene.kind == SceneKind::kContact && !is_static && scene.material.eta == 0.0) {
+    throw bad_value(
+        "material.eta", "0",
+        "above 0 in a contact scene, which comes to rest by damping (or integrator newton)");
   }
 }
 
@@ -113,17 +123,17 @@ const std::vector<Parameter<Scene>>& scene_parameters() {
   return table;
 }
 
-Scene parse_scene(const FlatTree& keys) {
+Scene parse_scene(const FlatTree& keys, const std::string& other_names) {
   if (keys.count("scene") == 0) {
     throw bad_value("scene", "nothing", scene_parameters().front().allowed);
   }
   Scene scene;
-  read_parameters(scene_parameters(), keys, scene);
+  read_parameters(scene_parameters(), keys, scene, other_names);
   check_combination(scene);
   return scene;
 }
 
-std::vector<Scene> parse_series(const FlatTree& keys) {
+std::vector<Scene> parse_series(const FlatTree& keys, const std::string& other_names) {
   std::vector<FlatTree> runs{keys};
   for (const auto& entry : keys) {
     if (!entry.second.IsSequence()) continue;
@@ -139,7 +149,7 @@ std::vector<Scene> parse_series(const FlatTree& keys) {
   }
   std::vector<Scene> scenes;
   scenes.reserve(runs.size());
-  for (const FlatTree& run : runs) scenes.push_back(parse_scene(run));
+  for (const FlatTree& run : runs) scenes.push_back(parse_scene(run, other_names));
   return scenes;
 }
 
@@ -148,6 +158,9 @@ std::string to_yaml(const Scene& scene) {
 }
 
 FlatTree load_keys(const std::filesystem::path& path) {
+  if (!std::filesystem::is_regular_file(path)) {
+    throw InputError(fmt::format("{}: cannot be read", path.string()));
+  }
   try {
     return flatten(YAML::LoadFile(path.string()));
   } catch (const YAML::BadFile&) {

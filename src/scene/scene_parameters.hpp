@@ -15,12 +15,12 @@ const std::vector<Parameter<Scene>>& scene_parameters();
 /// The scene that these keys describe; keys that are absent keep their defaults, `scene` itself
 /// must be there.
 /// @throw InputError as read_parameters(), and for values that do not go together.
-Scene parse_scene(const FlatTree& keys);
+Scene parse_scene(const FlatTree& keys, const std::string& other_names = {});
 
 /// A series: a key of the tree may hold a list of values, which then are taken in turn; with
 /// several lists, all combinations, the last key in alphabetical order changing fastest.
 /// @throw InputError as parse_scene(); every run is checked before any is returned.
-std::vector<Scene> parse_series(const FlatTree& keys);
+std::vector<Scene> parse_series(const FlatTree& keys, const std::string& other_names = {});
 
 /// The scene as YAML; parse_scene() of it gives the same bits.
 std::string to_yaml(const Scene& scene);

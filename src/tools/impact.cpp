@@ -47,10 +47,12 @@ class Experiment {
 
   void perform() {
     const bool show_progress = isatty(STDERR_FILENO) != 0;
+    Clock::time_point last_progress = Clock::now();
     while (!run_.finished()) {
       run_.advance();
       take_in();
-      if (show_progress && run_.state().step % 1024 < 4) {
+      if (show_progress && seconds_since(last_progress) > 0.2) {
+        last_progress = Clock::now();
         fmt::print(stderr, "\r{:.4g} R/c of about {:.2g}", run_.state().time, run_.expected_time());
       }
     }
@@ -60,7 +62,7 @@ class Experiment {
   YAML::Node result() const {
     YAML::Node result = scene_.kind == SceneKind::kCollision ? impact_result() : contact_result();
     result["energy_error"] = exact(run_.energy_error());
-    result["integrator"] = "verlet";
+    result["integrator"] = run_.integrator();
     result["step"] = exact(run_.simulation().step_size());
     result["steps"] = run_.state().step;
     result["wall_time"] = exact(seconds_since(start_));

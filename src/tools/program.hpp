@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <stdexcept>
 
 #include "lattice/input_error.hpp"
 
@@ -16,11 +17,15 @@ namespace impact {
 inline int run_tool(CLI::App& app, int argc, char** argv, const std::function<void()>& body) {
   try {
     app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    fmt::print(stderr, "{}: {} (--help tells more)\n", app.get_name(), error.what());
+    return 2;
   }
   try {
     body();
+    if (std::fflush(stdout) != 0) throw std::runtime_error("the result could not be written");
     return 0;
   } catch (const InputError& error) {
     fmt::print(stderr, "{}: {}\n", app.get_name(), error.what());

@@ -89,11 +89,13 @@ TEST_F(LammpsData, NamesTheLineOfEachFault) {
   EXPECT_INPUT_ERROR(read(altered("0 0 0 0  ", "0 1 0 0  ")), ":19: image flag");
   EXPECT_INPUT_ERROR(read(altered("2 1 3 2", "2 1 3 3")), ":25: atom 3 is bonded to itself");
   EXPECT_INPUT_ERROR(read(altered("2 1 3 2", "2 1 3 9")), ":25: atom `9`, allowed 1 … 3");
-  EXPECT_INPUT_ERROR(read(altered("2 1 1 1.0", "2 1 1 0.0")), ":24: atoms 1 and 2 coincide");
+  EXPECT_INPUT_ERROR(read(altered("2 1 1 1.0", "2 1 1 0.0")), ":20: atoms 1 and 2 coincide");
   EXPECT_INPUT_ERROR(read(altered("3 bonds", "4 bonds")), "3 bonds, the header says 4");
   EXPECT_INPUT_ERROR(read(altered("3 atoms", "2 atoms")), ":3: number of atoms `2`, allowed 3");
   EXPECT_INPUT_ERROR(read(altered("3 atoms\n", "")), "no line `N atoms`");
-  EXPECT_INPUT_ERROR(read(altered("2 1 3 2", "2 1 1 2")), "bonded twice");
+  EXPECT_INPUT_ERROR(read(altered("2 1 3 2", "2 1 1 2")), ":25: atoms 1 and 2 are bonded twice");
+  EXPECT_INPUT_ERROR(read(altered("3 bonds\n", "")), "no line `N bonds`");
+  EXPECT_INPUT_ERROR(read(altered("3 atoms", "2000000 atoms")), "allowed 3 … 1000000");
   EXPECT_INPUT_ERROR(read("title\n"), "no section Atoms");
   EXPECT_INPUT_ERROR(read_lammps_data("/nowhere/file.data"), "cannot be read");
 }

@@ -29,7 +29,8 @@ class MasterWitness:
     def __init__(self):
         self._server = _Server(('localhost', 0), requestHandler=_Handler, logRequests=False)
         self._server.register_instance(self)
-        self._thread = threading.Thread(target=self._server.serve_forever, daemon=True)
+        self._thread = threading.Thread(target=self._server.serve_forever, args=(0.02,),
+                                        daemon=True)
         self._topics = {'registerPublisher': set(), 'registerSubscriber': set()}
         self._news = threading.Condition()
         self.environment = {'ROS_MASTER_URI':

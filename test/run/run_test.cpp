@@ -91,17 +91,43 @@ TEST(Collision, OfTheMirrorImageIsTheMirrorImage) {
   EXPECT_NEAR(image.spin_after, -original.spin_after, 1e-10);
 }
 
-/// Bit for bit: the step divides both periods, and the end is judged at every step.
+/// Bit for bit, whether the step divides the period or not, or is longer than it.
 TEST(Collision, DoesNotDependOnTheOutputPeriod) {
+  for (const int points : {3, 30, 1099}) {
+    Scene scene;
+    scene.disk.recipe.points = points;
+    scene.output.period = 0.02;
+    const Restitution reference = impact_of(scene);
+    for (const double period : {0.2, 0.017, 0.0003, 1000.0}) {
+      scene.output.period = period;
+      const Restitution other = impact_of(scene);
+      EXPECT_EQ(other.restitution, reference.restitution);
+      EXPECT_EQ(other.contact_duration, reference.contact_duration);
+      EXPECT_EQ(other.peak_force, reference.peak_force);
+      EXPECT_EQ(other.impulse, reference.impulse);
+    }
+  }
+}
+
+TEST(Collision, StopsBetweenOutputsWhenAsked) {
   Scene scene;
-  scene.output.period = 0.02;
-  const Restitution often = impact_of(scene);
-  scene.output.period = 0.2;
-  const Restitution seldom = impact_of(scene);
-  EXPECT_EQ(often.restitution, seldom.restitution);
-  EXPECT_EQ(often.contact_duration, seldom.contact_duration);
-  EXPECT_EQ(often.peak_force, seldom.peak_force);
-  EXPECT_EQ(often.impulse, seldom.impulse);
+  scene.output.period = 1000.0;
+  impact::Run run(scene);
+  run.advance([] { return true; });
+  EXPECT_FALSE(run.finished());
+  EXPECT_EQ(run.state().step, 64U);
+}
+
+/// Where the step does not divide the period, a state comes at the first step at or after it.
+TEST(Collision, StatesFollowTheOutputTimes) {
+  Scene scene;
+  scene.output.period = 0.017;
+  impact::Run run(scene);
+  for (int k = 1; k <= 50; ++k) {
+    run.advance();
+    EXPECT_GE(run.state().time, 0.017 * k - 1e-12);
+    EXPECT_LT(run.state().time, 0.017 * k + run.simulation().step_size());
+  }
 }
 
 TEST(Collision, StatesLandOnTheOutputTimes) {
@@ -110,6 +136,16 @@ TEST(Collision, StatesLandOnTheOutputTimes) {
     run.advance();
     EXPECT_NEAR(run.state().time, 0.02 * k, 1e-12);
   }
+}
+
+/// Fast impacts need more than the stability limit: the energy tells, and the run is flagged.
+TEST(Collision, EnergyErrorAboveTheWantedErrorIsFlagged) {
+  Scene scene;
+  scene.impact.velocity = 0.2;
+  impact::Run run(scene);
+  finish(run);
+  EXPECT_GT(run.energy_error(), scene.numerics.error);
+  EXPECT_TRUE(has_flag(run, "energy_error"));
 }
 
 /// A start inside the wall is allowed, may give e > 1, and is flagged with the bound that energy
@@ -172,6 +208,34 @@ TEST(Contact, CompressionAtRestDoesNotDependOnTheStep) {
   };
   // At rest the integrator has no say: what is left is the rest criterion's 10⁻⁵.
   EXPECT_NEAR(strain(5e-4) / strain(2.5e-4), 1.0, 1e-5);
+}
+
+/// The static solution is where the motion comes to rest.
+TEST(Contact, NewtonFindsTheRelaxedState) {
+  Scene scene = contact_scene(0.01);
+  scene.disk.recipe.points = 200;
+  const auto strain = [&scene] {
+    impact::Run run(scene);
+    while (!run.finished()) run.advance();
+    EXPECT_TRUE(run.flags().empty());
+    return StrainMeter(run.lattice().points).measure(run.state().position).strain();
+  };
+  const double relaxed = strain();
+  scene.numerics.integrator = IntegratorKind::kNewton;
+  scene.material.eta = 0.0;
+  // Both leave no static force above 10⁻⁵ P/N.
+  EXPECT_NEAR(strain(), relaxed, 1e-6);
+}
+
+/// Rounding does not keep a disk from rest when a very small error is wanted.
+TEST(Contact, ComesToRestAtSmallErrors) {
+  Scene scene = contact_scene(0.01);
+  scene.disk.recipe.points = 100;
+  scene.numerics.error = 1e-9;
+  impact::Run run(scene);
+  while (!run.finished() && run.state().time < 1000.0) run.advance();
+  EXPECT_TRUE(run.finished());
+  EXPECT_FALSE(has_flag(run, "not_at_rest"));
 }
 
 }  // namespace

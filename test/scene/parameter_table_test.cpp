@@ -70,6 +70,16 @@ TEST(ReadParameters, NamesKeyValueAndWhatIsAllowed) {
   EXPECT_INPUT_ERROR(read("{size: true}"), "size: got true, allowed");
   EXPECT_INPUT_ERROR(read("{size: [0.1, 0.2]}"), "size: got [0.1, 0.2], allowed");
   EXPECT_INPUT_ERROR(read("{size: }"), "size: got nothing, allowed");
+  EXPECT_INPUT_ERROR(read("{size: '0.1'}"), "size: got \"0.1\", allowed");
+  EXPECT_INPUT_ERROR(read("{size: {x: 1}}"), "size.x: unknown key");
+  EXPECT_INPUT_ERROR(read("{size: [[1], {x: 1}]}"), "size: got [a list, a map], allowed");
+  EXPECT_INPUT_ERROR(read("{size: 0.1, size: 0.2}"), "size: given twice");
+  EXPECT_INPUT_ERROR(read("{body: &b {weight: *b}}"), "nested too deeply");
+  EXPECT_INPUT_ERROR(read("{size: &s [*s]}"), "size: got [a list], allowed");
+  EXPECT_INPUT_ERROR(read("{count: '3'}"), "count: got \"3\", allowed");
+  EXPECT_INPUT_ERROR(read("{count: 03x}"), "count: got 03x, allowed");
+  EXPECT_INPUT_ERROR(read("{round: 'true'}"), "round: got \"true\", allowed");
+  EXPECT_EQ(read("{count: 03}").count, 3);
   EXPECT_INPUT_ERROR(read("{body: {weight: often}}"),
                      "body.weight: got often, allowed: auto or number in [0, 10]");
   EXPECT_INPUT_ERROR(read("{count: 2.5}"), "count: got 2.5, allowed: whole number in [1, 9]");

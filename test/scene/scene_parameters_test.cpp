@@ -29,6 +29,9 @@ TEST(ParseScene, RefusesKeysOfOtherScenes) {
 TEST(ParseScene, RefusesWhatDoesNotGoTogether) {
   EXPECT_INPUT_ERROR(parse("{seed: 1}"), "scene: got nothing, allowed: contact or collision");
   EXPECT_INPUT_ERROR(parse("{scene: contact}"), "material.eta: got 0, allowed: above 0");
+  EXPECT_NO_THROW(parse("{scene: contact, numerics: {integrator: newton}}"));
+  EXPECT_INPUT_ERROR(parse("{scene: collision, numerics: {integrator: newton}}"),
+                     "numerics.integrator: got newton, allowed: auto or verlet");
 }
 
 TEST(ParseSeries, TakesEveryCombination) {

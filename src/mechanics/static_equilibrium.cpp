@@ -1,0 +1,144 @@
+#include "mechanics/static_equilibrium.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace impact {
+namespace {
+
+using Vector = Eigen::VectorXd;
+using Factorisation = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
+
+constexpr int kMostIterations = 500;
+constexpr double kLongestMove = 3.0;          // in ranges 1/a of the wall
+constexpr double kSufficientDecrease = 1e-4;  // of the slope (Armijo)
+constexpr int kMostHalvings = 40;
+constexpr double kFirstShift = 1e-6;  // in units of the stiffness matrix's largest diagonal element
+constexpr double kLargestShift = 10.0;
+
+Vector flat(const PointArray& points) {
+  return Eigen::Map<const Vector>(points.data(), points.size());
+}
+
+class Search {
+ public:
+  Search(ForceField& field, PointArray& position)
+      : field_(field),
+        position_(position),
+        at_rest_(PointArray::Zero(position.rows(), 2)),
+        force_(position.rows(), 2) {}
+
+  EquilibriumSearch run(double tolerance) {
+    EquilibriumSearch search;
+    search.largest_force = evaluate();
+    while (search.largest_force > tolerance && search.iterations < kMostIterations) {
+      ++search.iterations;
+      const PointArray step = newton_step();
+      if (!line_search(step, search.largest_force)) break;
+    }
+    search.found = search.largest_force <= tolerance;
+    return search;
+  }
+
+ private:
+  /// Evaluates the force at the present position; returns its largest component.
+  double evaluate() {
+    field_.evaluate(position_, at_rest_, force_);
+    return force_.abs().maxCoeff();
+  }
+
+  double energy(const PointArray& position) const {
+    double sum = field_.bonds.potential_energy(position);
+    if (field_.wall) sum += field_.wall->potential_energy(position);
+    if (field_.load) sum += field_.load->potential_energy(position);
+    return sum;
+  }
+
+  /// The tangent stiffness, with one point tied to its place along x. Since nothing acts along x
+  /// from outside, the tie carries no force, and only picks one of the equivalent shifts.
+  Eigen::SparseMatrix<double> stiffness() const {
+    const Eigen::Index points = position_.rows();
+    std::vector<Eigen::Triplet<double>> entries = field_.bonds.stiffness(position_);
+    if (field_.wall) {
+      for (Eigen::Index i = 0; i < points; ++i) {
+        entries.emplace_back(points + i, points + i,
+                             field_.wall->stiffness(field_.wall->force_at(position_(i, 1))));
+      }
+    }
+    entries.emplace_back(0, 0, 1.0);
+    Eigen::SparseMatrix<double> matrix(2 * points, 2 * points);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+  }
+
+  /// The displacements u with K u = f that keep the constraint; shifted until they lead downhill.
+  PointArray newton_step() {
+    const Eigen::SparseMatrix<double> matrix = stiffness();
+    const double scale = matrix.diagonal().maxCoeff();
+    const Vector force = flat(force_);
+    Factorisation factorisation;
+    factorisation.analyzePattern(matrix);
+    for (double shift = 0.0; shift <= kLargestShift * scale;
+         shift = std::max(10.0 * shift, kFirstShift * scale)) {
+      factorisation.setShift(shift);
+      factorisation.factorize(matrix);
+      if (factorisation.info() != Eigen::Success) continue;
+      Vector step = factorisation.solve(force);
+      if (field_.hold) {
+        const Vector direction = flat(field_.hold->direction());
+        const Vector response = factorisation.solve(direction);
+        step -= response * (direction.dot(step) / direction.dot(response));
+      }
+      if (step.dot(force) > 0.0) return shaped(step);
+    }
+    return force_ / scale;
+  }
+
+  /// As points, without a mean shift along x, and no longer than the wall's range allows.
+  PointArray shaped(const Vector& step) const {
+    PointArray moves = Eigen::Map<const PointArray>(step.data(), position_.rows(), 2);
+    moves.col(0) -= moves.col(0).mean();
+    if (field_.wall) {
+      const double longest = moves.abs().maxCoeff();
+      moves *= std::min(1.0, kLongestMove / field_.wall->a() / longest);
+    }
+    return moves;
+  }
+
+  /// Goes along `step` as far as energy falls enough or, where energy is lost in rounding, as the
+  /// largest force falls. False when neither happens.
+  bool line_search(const PointArray& step, double& largest_force) {
+    const PointArray start = position_;
+    const double energy_at_start = energy(start);
+    const double slope = -(step * force_).sum();
+    double length = 1.0;
+    for (int k = 0; k < kMostHalvings; ++k) {
+      position_ = start + length * step;
+      const bool falls = energy(position_) < energy_at_start + kSufficientDecrease * length * slope;
+      const double force = evaluate();
+      if (falls || force < largest_force) {
+        largest_force = force;
+        return true;
+      }
+      length /= 2.0;
+    }
+    position_ = start;
+    largest_force = evaluate();
+    return false;
+  }
+
+  ForceField& field_;
+  PointArray& position_;
+  PointArray at_rest_;
+  PointArray force_;
+};
+
+}  // namespace
+
+EquilibriumSearch find_equilibrium(ForceField& field, PointArray& position, double tolerance) {
+  return Search(field, position).run(tolerance);
+}
+
+}  // namespace impact

@@ -1,0 +1,88 @@
+#include "mechanics/static_equilibrium.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "test_lattices.hpp"
+
+namespace impact {
+namespace {
+
+/// A triangle on one corner: the corner carries the load, and both legs carry half of it each.
+TEST(FindEquilibrium, OfATriangleOnItsCorner) {
+  PointArray points(3, 2);
+  points << 0, 0, -0.5, std::sqrt(0.75), 0.5, std::sqrt(0.75);
+  const Lattice lattice = plain_lattice(points, {{0, 1}, {0, 2}, {1, 2}});
+  ForceField field{BondForces(lattice, {1.0, 0.0, 0.0}), 1.0 / 3.0};
+  field.wall.emplace(300.0, 0.1);
+  field.load.emplace(0.003);
+  field.hold.emplace(points);
+  PointArray position = points;
+  position.col(1) += field.wall->height_of_force(0.003);
+  const EquilibriumSearch search = find_equilibrium(field, position, 1e-15);
+  ASSERT_TRUE(search.found);
+
+  EXPECT_NEAR(field.wall->force_at(position(0, 1)), 0.003, 1e-14);
+  // Each upper corner's share 0.001 of the load goes down a leg under 60°: compression
+  // 0.001/sin 60°; the base is stretched by its horizontal part. Small rotations of the bonds
+  // change this by relative terms of the strain, 10⁻³.
+  const double leg = 0.001 / std::sin(M_PI / 3.0);
+  const auto length = [&](int i, int j) {
+    return (position.row(i) - position.row(j)).matrix().norm();
+  };
+  EXPECT_NEAR(length(0, 1) - 1.0, -leg, 5e-3 * leg);
+  EXPECT_NEAR(length(0, 2) - 1.0, -leg, 5e-3 * leg);
+  EXPECT_NEAR(length(1, 2) - 1.0, 0.5 * leg, 5e-3 * leg);
+}
+
+/// The entries of the stiffness are the derivatives of the forces.
+TEST(Stiffness, IsMinusTheDerivativeOfTheForce) {
+  const Lattice lattice = triangular_patch(3);
+  const BondForces bonds(lattice, {1.0, 5.0, 0.0});
+  std::srand(1);
+  const PointArray position = lattice.points + 0.1 * PointArray::Random(9, 2);
+  Eigen::SparseMatrix<double> sparse(18, 18);
+  const auto entries = bonds.stiffness(position);
+  sparse.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::MatrixXd stiffness = sparse;
+  constexpr double kStep = 1e-6;
+  for (Eigen::Index column = 0; column < 18; ++column) {
+    const auto force_at = [&](double shift) {
+      PointArray moved = position;
+      moved.data()[column] += shift;
+      PointArray force = PointArray::Zero(9, 2);
+      bonds.add_forces(moved, PointArray::Zero(9, 2), force);
+      return force;
+    };
+    const PointArray slope = (force_at(-kStep) - force_at(kStep)) / (2.0 * kStep);
+    for (Eigen::Index row = 0; row < 18; ++row) {
+      // Central differences: truncation of order step² and rounding of order 10⁻¹⁵/step.
+      EXPECT_NEAR(stiffness(row, column), slope.data()[row], 1e-8);
+    }
+  }
+}
+
+TEST(FindEquilibrium, KeepsTheHeldRotationAndTheCentre) {
+  const Lattice lattice = triangular_patch(4);
+  ForceField field{BondForces(lattice, {1.0, 0.0, 0.0}), 1.0 / 16.0};
+  field.wall.emplace(100.0, 0.1);
+  field.load.emplace(0.01);
+  field.hold.emplace(lattice.points);
+  PointArray position = lattice.points;
+  position.col(1) += field.wall->height_of_force(0.01);
+  ASSERT_TRUE(find_equilibrium(field, position, 1e-14).found);
+  EXPECT_NEAR((field.hold->direction() * (position - lattice.points)).sum(), 0.0, 1e-12);
+  EXPECT_NEAR(position.col(0).mean(), lattice.points.col(0).mean(), 1e-14);
+}
+
+/// A load that no wall holds: no equilibrium, and it is said.
+TEST(FindEquilibrium, SaysWhenThereIsNone) {
+  ForceField field{BondForces(triangle(), {1.0, 0.0, 0.0}), 1.0 / 3.0};
+  field.load.emplace(0.01);
+  PointArray position = triangle().points;
+  EXPECT_FALSE(find_equilibrium(field, position, 1e-14).found);
+}
+
+}  // namespace
+}  // namespace impact
