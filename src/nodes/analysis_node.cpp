@@ -67,7 +67,7 @@ void AnalysisNode::subscribe(const std::string& topic) {
 void AnalysisNode::publish(const lattice_impact::Strain& strain) {
   strain_.publish(strain);
   if (strain.at_rest != 0) {
-    ROS_INFO("run %u: at rest with strain %.6g R, wall force %.6g M c²/R", strain.run,
+    ROS_INFO("run %u: at rest with strain %.6g R, wall force %.6g M c^2/R", strain.run,
              strain.strain, strain.force);
   }
 }

@@ -46,6 +46,21 @@ class RecordingTest(unittest.TestCase):
     def test_recorder_reports_when_it_ends(self):
         self.assertIn(self.namespace + '/particle_states: {published: ', self.output)
 
+    def test_refused_run_does_not_show_an_earlier_one(self):
+        with launch('collision.launch', ns=self.namespace, bag=self.bag, N='ten') as run:
+            run.wait()
+            output = run.stdout()
+        self.assertIn('nothing was recorded', output)
+        self.assertNotIn('restitution:', output)
+        self.assertEqual(BagAnalysis(self.bag).exit_code, 0)
+
+    def test_scenes_follow_each_other_on_one_master(self):
+        bag = os.path.join(self.folder.name, 'contact.bag')
+        with launch('contact.launch', ns=self.namespace, bag=bag, N=60) as run:
+            run.wait()
+        run, = BagAnalysis(bag).runs
+        self.assertEqual(run['strain'], impact('contact', {'disk.points': 60})['strain'])
+
     def test_bag_gives_the_numbers_of_the_tool(self):
         run, = BagAnalysis(self.bag).runs
         self.assertTrue(run['complete'])
@@ -63,9 +78,9 @@ class RecordingTest(unittest.TestCase):
         self.assertEqual(run['velocity'], -live.velocity_before)
 
     def replay(self, rate):
-        rospy.set_param(self.namespace + '/analysis/wait_for', [rospy.get_name()])
         with Results(self.namespace) as results:
-            with launch('replay.launch', ns=self.namespace, bag=self.bag, rate=rate) as run:
+            with launch('replay.launch', ns=self.namespace, bag=self.bag, rate=rate,
+                        wait_for='[{}]'.format(rospy.get_name())) as run:
                 run.wait()
             results.strain.wait_for_count(len(self.strain))
             results.restitution.wait_for_count(len(self.restitution))
