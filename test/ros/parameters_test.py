@@ -82,7 +82,7 @@ class ParametersTest(unittest.TestCase):
                                      'allowed: number in (0')
 
     def test_analysis_wrong_type(self):
-        self.assert_analysis_refuses({'wait_for': 'recorder'}, 'wait_for', 'got recorder',
+        self.assert_analysis_refuses({'wait_for': 'recorder'}, 'wait_for', 'got "recorder"',
                                      'allowed: list')
 
     def test_analysis_unknown_name(self):
