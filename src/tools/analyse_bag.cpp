@@ -12,6 +12,7 @@
 #include "nodes/series_analysis.hpp"
 #include "scene/parameter_table.hpp"
 #include "tools/program.hpp"
+#include "tools/restitution_yaml.hpp"
 
 namespace impact {
 namespace {
@@ -126,17 +127,8 @@ class Pipeline {
     node["run"] = restitution.run;
     node["complete"] = restitution.complete != 0;
     node["velocity"] = exact(-restitution.velocity_before);
-    node["restitution"] = exact(restitution.restitution);
-    node["tangential_velocity_after"] = exact(restitution.tangential_velocity_after);
-    node["spin_after"] = exact(restitution.spin_after);
-    node["contact_begin"] = exact(restitution.contact_begin);
-    node["contact_end"] = exact(restitution.contact_end);
-    node["contact_duration"] = exact(restitution.contact_duration);
-    node["peak_force"] = exact(restitution.peak_force);
-    node["impulse"] = exact(restitution.impulse);
-    node["flags"] = YAML::Node(YAML::NodeType::Sequence);
-    node["flags"].SetStyle(YAML::EmitterStyle::Flow);
-    for (const std::string& flag : restitution.flags) node["flags"].push_back(flag);
+    add_restitution(restitution, node);
+    add_flags(restitution.flags, node);
     results_.push_back(node);
   }
 

@@ -15,6 +15,7 @@
 #include "run/run.hpp"
 #include "scene/scene_parameters.hpp"
 #include "tools/program.hpp"
+#include "tools/restitution_yaml.hpp"
 
 namespace impact {
 namespace {
@@ -66,9 +67,7 @@ class Experiment {
     result["step"] = exact(run_.simulation().step_size());
     result["steps"] = run_.state().step;
     result["wall_time"] = exact(seconds_since(start_));
-    result["flags"] = YAML::Node(YAML::NodeType::Sequence);
-    result["flags"].SetStyle(YAML::EmitterStyle::Flow);
-    for (const std::string& flag : run_.flags()) result["flags"].push_back(flag);
+    add_flags(run_.flags(), result);
     return result;
   }
 
@@ -91,15 +90,8 @@ class Experiment {
     const Restitution restitution = analysis_.restitution(separated);
     YAML::Node result;
     result["velocity"] = exact(scene_.impact.velocity);
-    result["restitution"] = exact(restitution.restitution);
+    add_restitution(restitution, result);
     result["restitution_bound"] = exact(run_.restitution_bound());
-    result["tangential_velocity_after"] = exact(restitution.tangential_velocity_after);
-    result["spin_after"] = exact(restitution.spin_after);
-    result["contact_begin"] = exact(restitution.contact_begin);
-    result["contact_end"] = exact(restitution.contact_end);
-    result["contact_duration"] = exact(restitution.contact_duration);
-    result["peak_force"] = exact(restitution.peak_force);
-    result["impulse"] = exact(restitution.impulse);
     return result;
   }
 
