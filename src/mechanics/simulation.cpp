@@ -30,7 +30,9 @@ void Simulation::step() {
 bool Simulation::settle(double tolerance) {
   const EquilibriumSearch search = find_equilibrium(field_, state_.position, tolerance);
   state_.velocity.setZero();
+  ticks_ += static_cast<std::uint64_t>(search.iterations);
   state_.step += static_cast<std::uint64_t>(search.iterations);
+  state_.time = static_cast<double>(ticks_) * step_size_;
   return search.found;
 }
 
