@@ -22,9 +22,9 @@ class Simulation {
 
   void step();
 
-  /// Goes to the equilibrium at rest instead, see find_equilibrium(). Its iterations count as steps,
-  /// in step number and time. The energy that damped motion would have lost on the way is not known.
-  /// False when none was found.
+  /// Goes to the equilibrium at rest instead, see find_equilibrium(). Its iterations count as
+  /// steps, in step number and time. The energy that damped motion would have lost on the way is
+  /// not known. False when none was found.
   bool settle(double tolerance);
 
   const State& state() const { return state_; }
