@@ -16,7 +16,7 @@ constexpr double kLongestMove = 3.0;          // in ranges 1/a of the wall
 constexpr double kSufficientDecrease = 1e-4;  // of the slope (Armijo)
 constexpr int kMostHalvings = 40;
 constexpr double kFirstShift = 1e-6;  // in units of the stiffness matrix's largest diagonal element
-constexpr double kLargestShift = 10.0;
+constexpr int kMostShifts = 8;        // each ten times the one before
 
 Vector flat(const PointArray& points) {
   return Eigen::Map<const Vector>(points.data(), points.size());
@@ -80,8 +80,8 @@ class Search {
     const Vector force = flat(force_);
     Factorisation factorisation;
     factorisation.analyzePattern(matrix);
-    for (double shift = 0.0; shift <= kLargestShift * scale;
-         shift = std::max(10.0 * shift, kFirstShift * scale)) {
+    for (int attempt = 0; attempt <= kMostShifts; ++attempt) {
+      const double shift = attempt == 0 ? 0.0 : kFirstShift * scale * std::pow(10.0, attempt - 1);
       factorisation.setShift(shift);
       factorisation.factorize(matrix);
       if (factorisation.info() != Eigen::Success) continue;

@@ -120,10 +120,12 @@ double straight_line_residual(const std::vector<DataPoint>& points) {
   }
   double intercept = 0.0;
   double slope = 0.0;
-  double covariance[3];
+  double variance_intercept = 0.0;
+  double covariance = 0.0;
+  double variance_slope = 0.0;
   double chi_squared = 0.0;
   gsl_fit_wlinear(x.data(), 1, w.data(), 1, y.data(), 1, x.size(), &intercept, &slope,
-                  &covariance[0], &covariance[1], &covariance[2], &chi_squared);
+                  &variance_intercept, &covariance, &variance_slope, &chi_squared);
   double sum = 0.0;
   for (const DataPoint& point : points) {
     sum += std::pow(intercept + slope * point.x - point.y, 2);

@@ -9,15 +9,15 @@ namespace impact {
 
 /// A measured point of a law y(x).
 struct DataPoint {
-  double x;
-  double y;
+  double x = 0.0;
+  double y = 0.0;
   double standard_error = 1.0;  ///< of y; equal values mean an unweighted fit
 };
 
 /// A number and its standard error.
 struct Estimate {
-  double value;
-  double standard_error;
+  double value = 0.0;
+  double standard_error = 0.0;
 };
 
 /// The outcome of a least-squares fit. When the data cannot carry the law, `declined` says why and

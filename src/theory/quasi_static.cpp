@@ -4,6 +4,8 @@
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_odeiv2.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -15,7 +17,7 @@ constexpr double kTolerance = 1e-12;
 constexpr double kDensity = M_1_PI;  // M/R²
 
 /// Eq. (4) for y = (ξ, ξ′); free flight outside contact.
-int acceleration(double /*time*/, const double y[], double dydt[], void* parameters) {
+int acceleration(double /*time*/, const double* y, double* dydt, void* parameters) {
   const auto& impact = *static_cast<const QuasiStaticImpact*>(parameters);
   dydt[0] = y[1];
   dydt[1] = 0.0;
@@ -39,7 +41,7 @@ class Integration {
         state_{0.0, impact.velocity} {}
 
   void advance_to(double time) {
-    if (gsl_odeiv2_driver_apply(driver_.get(), &time_, time, state_) != GSL_SUCCESS) {
+    if (gsl_odeiv2_driver_apply(driver_.get(), &time_, time, state_.data()) != GSL_SUCCESS) {
       throw std::runtime_error("eq. (4) could not be integrated");
     }
   }
@@ -55,7 +57,7 @@ class Integration {
   gsl_odeiv2_system system_;
   Driver driver_;
   double time_ = 0.0;
-  double state_[2];
+  std::array<double, 2> state_;
 };
 
 double velocity_at_zero_compression(Integration& integration, double interval) {

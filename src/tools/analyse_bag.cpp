@@ -20,12 +20,12 @@ namespace {
 /// The topics of one namespace: what was recorded, what was published, and the results.
 class Pipeline {
  public:
-  explicit Pipeline(const std::string& name_space)
+  explicit Pipeline(std::string name_space)
       : analysis_({[this](const lattice_impact::Strain& strain) { add_result(strain); },
                    [this](const lattice_impact::Restitution& result) { add_result(result); },
                    [](std::uint32_t, std::uint32_t) {},
                    [this](const std::string& problem) { report(problem); }}),
-        name_space_(name_space) {}
+        name_space_(std::move(name_space)) {}
 
   void add(const rosbag::MessageInstance& message) {
     take<lattice_impact::Lattice>(message) || take<lattice_impact::ParticleStates>(message) ||
