@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "test_lattices.hpp"
@@ -34,6 +35,18 @@ TEST(FindEquilibrium, OfATriangleOnItsCorner) {
   EXPECT_NEAR(length(0, 1) - 1.0, -leg, 5e-3 * leg);
   EXPECT_NEAR(length(0, 2) - 1.0, -leg, 5e-3 * leg);
   EXPECT_NEAR(length(1, 2) - 1.0, 0.5 * leg, 5e-3 * leg);
+}
+
+/// A free triangle of unit masses has ω² = 0 three times (rigid motions), 3 k_a/(2m) twice and
+/// 3 k_a/m (breathing).
+TEST(Stiffness, GivesTheFrequenciesOfATriangle) {
+  Eigen::SparseMatrix<double> sparse(6, 6);
+  const auto entries = BondForces(triangle(), {1.0, 5.0, 0.0}).stiffness(triangle().points);
+  sparse.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::VectorXd omega_squared =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(sparse)).eigenvalues();
+  const double expected[] = {0.0, 0.0, 0.0, 1.5, 1.5, 3.0};
+  for (Eigen::Index k = 0; k < 6; ++k) EXPECT_NEAR(omega_squared(k), expected[k], 1e-14);
 }
 
 /// The entries of the stiffness are the derivatives of the forces.
