@@ -12,6 +12,13 @@ double ForceField::evaluate(const PointArray& position, const PointArray& veloci
   return dissipated_power;
 }
 
+double ForceField::potential_energy(const PointArray& position) const {
+  double energy = bonds.potential_energy(position);
+  if (wall) energy += wall->potential_energy(position);
+  if (load) energy += load->potential_energy(position);
+  return energy;
+}
+
 std::vector<std::string> ForceField::terms() const {
   std::vector<std::string> names{bonds.name()};
   if (wall) names.emplace_back("potential wall");

@@ -24,6 +24,9 @@ struct ForceField {
   /// power dissipated by damping (M c³/R).
   double evaluate(const PointArray& position, const PointArray& velocity, PointArray& force);
 
+  /// Of bonds, wall and load, in M c².
+  double potential_energy(const PointArray& position) const;
+
   /// Names of the terms that are evaluated.
   std::vector<std::string> terms() const;
 };

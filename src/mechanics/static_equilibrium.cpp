@@ -49,13 +49,6 @@ class Search {
     return force_.abs().maxCoeff();
   }
 
-  double energy(const PointArray& position) const {
-    double sum = field_.bonds.potential_energy(position);
-    if (field_.wall) sum += field_.wall->potential_energy(position);
-    if (field_.load) sum += field_.load->potential_energy(position);
-    return sum;
-  }
-
   /// The tangent stiffness, with one point tied to its place along x. Since nothing acts along x
   /// from outside, the tie carries no force, and only picks one of the equivalent shifts.
   Eigen::SparseMatrix<double> stiffness() const {
@@ -111,12 +104,13 @@ class Search {
   /// largest force falls. False when neither happens.
   bool line_search(const PointArray& step, double& largest_force) {
     const PointArray start = position_;
-    const double energy_at_start = energy(start);
+    const double energy_at_start = field_.potential_energy(start);
     const double slope = -(step * force_).sum();
     double length = 1.0;
     for (int k = 0; k < kMostHalvings; ++k) {
       position_ = start + length * step;
-      const bool falls = energy(position_) < energy_at_start + kSufficientDecrease * length * slope;
+      const bool falls = field_.potential_energy(position_) <
+                         energy_at_start + kSufficientDecrease * length * slope;
       const double force = evaluate();
       if (falls || force < largest_force) {
         largest_force = force;

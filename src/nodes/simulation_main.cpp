@@ -11,8 +11,8 @@ int main(int argc, char** argv) {
     impact::read_parameters(impact::simulation_node_parameters(),
                             impact::take_keys(keys, impact::simulation_node_parameters()),
                             parameters);
-    std::vector<impact::Scene> series =
-        impact::parse_series(keys, impact::key_names(impact::simulation_node_parameters()));
+    std::vector<impact::Scene> series = impact::parse_series(
+        keys, impact::key_names(impact::simulation_node_parameters(), parameters));
     impact::check_series(parameters, series);
     return impact::SimulationNode(parameters, std::move(series)).run_series() ? 0 : 1;
   });

@@ -35,9 +35,8 @@ class SeparationEnd : public EndOfRun {
 };
 
 /// The disk rests. Looked at once every R/c: no component of the static force on any point exceeds
-/// error/10 of P/N (or what rounding leaves, see negligible_static_force), and no component of a
-/// velocity error/10 of P/√(M k_a) (or
-/// 4 ε R/h, which moves nothing in a step of h, with the spacing ε of doubles).
+/// negligible_static_force(), and no component of a velocity error/10 of P/√(M k_a), or 4 ε R/h,
+/// which moves nothing in a step of h (ε: spacing of doubles).
 class RestEnd : public EndOfRun {
  public:
   RestEnd(const Scene& scene, Eigen::Index points, double step);

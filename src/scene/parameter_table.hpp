@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -203,6 +204,16 @@ inline InputError bad_value(const std::string& key, const std::string& got,
 /// The value as one line, for an error; lists and maps within it are not shown.
 std::string one_line(const YAML::Node& node);
 
+/// The keys that apply to `target`, separated by commas.
+template <class T>
+std::string key_names(const std::vector<Parameter<T>>& table, const T& target) {
+  std::string names;
+  for (const Parameter<T>& parameter : table) {
+    if (parameter.applies(target)) names += (names.empty() ? "" : ", ") + parameter.key;
+  }
+  return names;
+}
+
 /// Sets every parameter of `target` that `values` names, in the order of the table.
 /// @throw InputError for a name that the table does not have or that does not apply, a wrong type
 /// and a value out of range: one line with key, value and what is allowed. `other_names` are
@@ -218,25 +229,14 @@ void read_parameters(const std::vector<Parameter<T>>& table, const FlatTree& val
     }
   }
   for (const auto& value : values) {
-    std::string names = other_names;
-    bool known = false;
-    for (const Parameter<T>& parameter : table) {
-      if (!parameter.applies(target)) continue;
-      known = known || parameter.key == value.first;
-      names += (names.empty() ? "" : ", ") + parameter.key;
-    }
-    if (!known) throw InputError(fmt::format("{}: unknown key, allowed: {}", value.first, names));
+    const bool known = std::any_of(table.begin(), table.end(), [&](const Parameter<T>& parameter) {
+      return parameter.key == value.first && parameter.applies(target);
+    });
+    if (known) continue;
+    const std::string names = key_names(table, target);
+    throw InputError(fmt::format("{}: unknown key, allowed: {}", value.first,
+                                 other_names.empty() ? names : other_names + ", " + names));
   }
-}
-
-/// The keys of the table, separated by commas.
-template <class T>
-std::string key_names(const std::vector<Parameter<T>>& table) {
-  std::string names;
-  for (const Parameter<T>& parameter : table) {
-    names += (names.empty() ? "" : ", ") + parameter.key;
-  }
-  return names;
 }
 
 /// The parameters that apply to `target`, as a YAML tree that reads back to the same bits.

@@ -31,5 +31,16 @@ TEST(ForceField, SumsItsTerms) {
   }
 }
 
+TEST(ForceField, PotentialEnergyIsThatOfItsTerms) {
+  ForceField field{BondForces(triangle(), {1.0, 0.0, 0.0}), 1.0 / 3.0};
+  const PointArray position = 1.1 * triangle().points;
+  EXPECT_EQ(field.potential_energy(position), field.bonds.potential_energy(position));
+  field.wall.emplace(10.0, 0.1);
+  field.load.emplace(0.3);
+  EXPECT_DOUBLE_EQ(field.potential_energy(position), field.bonds.potential_energy(position) +
+                                                         field.wall->potential_energy(position) +
+                                                         field.load->potential_energy(position));
+}
+
 }  // namespace
 }  // namespace impact
