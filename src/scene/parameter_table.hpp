@@ -209,7 +209,9 @@ template <class T>
 std::string key_names(const std::vector<Parameter<T>>& table, const T& target) {
   std::string names;
   for (const Parameter<T>& parameter : table) {
-    if (parameter.applies(target)) names += (names.empty() ? "" : ", ") + parameter.key;
+    if (!parameter.applies(target)) continue;
+    if (!names.empty()) names += ", ";
+    names += parameter.key;
   }
   return names;
 }
