@@ -235,9 +235,8 @@ void read_parameters(const std::vector<Parameter<T>>& table, const FlatTree& val
       return parameter.key == value.first && parameter.applies(target);
     });
     if (known) continue;
-    const std::string names = key_names(table, target);
-    throw InputError(fmt::format("{}: unknown key, allowed: {}", value.first,
-                                 other_names.empty() ? names : other_names + ", " + names));
+    throw InputError(fmt::format("{}: unknown key, allowed: {}{}{}", value.first, other_names,
+                                 other_names.empty() ? "" : ", ", key_names(table, target)));
   }
 }
 
