@@ -4,7 +4,8 @@
 
 namespace impact {
 
-BodyMotion body_motion(const PointArray& position, const PointArray& velocity) {
+BodyMotion body_motion(const Eigen::Ref<const PointArray>& position,
+                       const Eigen::Ref<const PointArray>& velocity) {
   BodyMotion motion;
   motion.centre = position.colwise().mean();
   motion.velocity = velocity.colwise().mean();

@@ -15,7 +15,8 @@ struct BodyMotion {
   double spin() const { return angular_momentum / moment_of_inertia; }  ///< c/R
 };
 
-BodyMotion body_motion(const PointArray& position, const PointArray& velocity);
+BodyMotion body_motion(const Eigen::Ref<const PointArray>& position,
+                       const Eigen::Ref<const PointArray>& velocity);
 
 /// Angle (rad, counter-clockwise, -π … π) of the rigid rotation that brings `reference` closest to
 /// `position` in the sense of least squares, both taken about their centres of mass.

@@ -72,16 +72,15 @@ double BondForces::add(const PointArray& position, const PointArray& velocity,
   return eta * relative_speed_squared;
 }
 
-double BondForces::potential_energy(const PointArray& position) const {
+double BondForces::potential_energy(const PointArray& position, Eigen::Index first,
+                                    Eigen::Index end) const {
   double linear = 0.0;
   double cubic = 0.0;
-  for (std::size_t i = 0; i + 1 < begin_.size(); ++i) {
-    for (std::int32_t k = begin_[i]; k < begin_[i + 1]; ++k) {
+  for (Eigen::Index i = first; i < end; ++i) {
+    const auto place = static_cast<std::size_t>(i);
+    for (std::int32_t k = begin_[place]; k < begin_[place + 1]; ++k) {
       const Neighbour& neighbour = neighbours_[static_cast<std::size_t>(k)];
-      const double length =
-          (position.row(static_cast<Eigen::Index>(i)) - position.row(neighbour.point))
-              .matrix()
-              .norm();
+      const double length = (position.row(i) - position.row(neighbour.point)).matrix().norm();
       const double squared = std::pow(length - neighbour.natural_length, 2);
       linear += squared;
       cubic += squared * squared;

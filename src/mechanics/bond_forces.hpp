@@ -34,7 +34,11 @@ class BondForces {
   }
 
   /// Σ k_a x²/2 + k_b x⁴/4, in M c².
-  double potential_energy(const PointArray& position) const;
+  double potential_energy(const PointArray& position) const {
+    return potential_energy(position, 0, position.rows());
+  }
+  /// Of the bonds whose first point lies in the rows first … end − 1.
+  double potential_energy(const PointArray& position, Eigen::Index first, Eigen::Index end) const;
 
   /// The entries of the tangent stiffness matrix −∂f/∂r (M c²/R²), those of one place to be added
   /// up; row and column i stand for x of point i, N + i for its y.

@@ -6,26 +6,49 @@
 
 #include "mechanics/bond_forces.hpp"
 #include "mechanics/compression_load.hpp"
+#include "mechanics/elastic_wall.hpp"
 #include "mechanics/potential_wall.hpp"
 #include "mechanics/rotation_hold.hpp"
+#include "mechanics/supports.hpp"
+#include "mechanics/velocity_reset.hpp"
+#include "mechanics/viscous_boundary.hpp"
 
 namespace impact {
 
+/// What leaves the motion: energy in M c², or power in M c³/R.
+struct Losses {
+  double dissipated = 0.0;  ///< by the damping of the bonds
+  double absorbed = 0.0;    ///< at the boundary of an elastic wall
+};
+
 /// All that acts on the points of one scene: its bonds and, only if the scene has them, a wall, a
-/// load and a constraint.
+/// load, constraints and a boundary. All arrays have one row a point: those of the disk and, after
+/// them, those of an elastic wall.
 struct ForceField {
   BondForces bonds;
-  double point_mass = 1.0;  ///< M
+  double point_mass = 1.0;       ///< M
+  Eigen::Index wall_points = 0;  ///< the last rows of all arrays, those of an elastic wall
   std::optional<PotentialWall> wall{};
+  std::optional<ElasticWall> elastic_wall{};
   std::optional<CompressionLoad> load{};
+  std::optional<ViscousBoundary> viscous_boundary{};
+  std::optional<VelocityReset> velocity_reset{};
   std::optional<RotationHold> hold{};
+  std::optional<Supports> supports{};
 
   /// Overwrites `force` (M c²/R, one row a point) with the total force on each point. Returns the
-  /// power dissipated by damping (M c³/R).
-  double evaluate(const PointArray& position, const PointArray& velocity, PointArray& force);
+  /// powers lost.
+  Losses evaluate(const PointArray& position, const PointArray& velocity, PointArray& force);
 
   /// Of bonds, wall and load, in M c².
   double potential_energy(const PointArray& position) const;
+  double wall_potential_energy(const PointArray& position) const;
+
+  /// Whether forces depend on velocities.
+  bool damped() const { return bonds.damped() || viscous_boundary; }
+
+  /// The wall that the scene has; none: nullptr.
+  const WallContact* contact() const;
 
   /// Names of the terms that are evaluated.
   std::vector<std::string> terms() const;

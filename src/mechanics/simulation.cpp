@@ -20,11 +20,22 @@ Simulation::Simulation(ForceField field, State initial, const Spectrum& spectrum
       step_size_(step) {}
 
 void Simulation::step() {
-  if (field_.wall) watch_wall();
-  dissipated_ += integrator_.step(field_, state_, step_size_);
+  if (const WallContact* const wall = field_.contact()) watch_wall(*wall);
+  const Losses lost = integrator_.step(field_, state_, step_size_);
+  losses_.dissipated += lost.dissipated;
+  losses_.absorbed += lost.absorbed;
   ++ticks_;
   ++state_.step;
   state_.time = static_cast<double>(ticks_) * step_size_;
+  if (field_.velocity_reset) reset_velocities();
+}
+
+void Simulation::reset_velocities() {
+  const VelocityReset& reset = *field_.velocity_reset;
+  const auto steps = static_cast<std::uint64_t>(std::llround(reset.interval() / step_size_));
+  if (ticks_ % steps == 0) {
+    losses_.absorbed += reset.apply(state_.velocity, field_.point_mass);
+  }
 }
 
 bool Simulation::settle(double tolerance) {
@@ -36,9 +47,15 @@ bool Simulation::settle(double tolerance) {
   return search.found;
 }
 
-void Simulation::watch_wall() {
-  const PotentialWall& wall = *field_.wall;
-  const double approach = std::max(0.0, -state_.velocity.col(1).minCoeff());
+double Simulation::approach_speed() const {
+  const auto upwards = state_.velocity.col(1);
+  const Eigen::Index of_wall = field_.wall_points;
+  const double down = std::max(0.0, -upwards.head(upwards.rows() - of_wall).minCoeff());
+  return of_wall == 0 ? down : down + std::max(0.0, upwards.tail(of_wall).maxCoeff());
+}
+
+void Simulation::watch_wall(const WallContact& wall) {
+  const double approach = approach_speed();
   const auto limit = [&] {
     const double force = wall.largest_force() * std::exp(wall.a() * approach * step_size_);
     const double omega_squared =

@@ -9,15 +9,19 @@
 
 namespace impact {
 
-/// A body in motion: its state, the forces on it, its integrator and step.
+/// A scene in motion: its state, the forces on it, its integrator and step.
 ///
 /// The wall grows stiffer the deeper a point is pressed into it. Before each step the stability
 /// bound is looked at with four times the stiffness a F of the largest force that a point may meet
-/// in that step, F exp(a v h) with the greatest speed v of any point towards the wall. The step is
-/// halved from there on while it exceeds the bound.
+/// in that step, F exp(a v h) with the greatest speed v at which a point of the disk and one of the
+/// wall may approach. The step is halved from there on while it exceeds the bound.
+///
+/// Where the field has a velocity reset, it acts at the end of each step that completes its
+/// interval.
 class Simulation {
  public:
-  /// `step` in R/c. It must be stable for the spectrum, see verlet_step_limit().
+  /// `step` in R/c. It must be stable for the spectrum, see verlet_step_limit(), and divide the
+  /// interval of a velocity reset.
   Simulation(ForceField field, State initial, const Spectrum& spectrum, double step);
 
   void step();
@@ -33,14 +37,16 @@ class Simulation {
   /// How many times the step was halved.
   int halvings() const { return halvings_; }
 
-  EnergyLedger ledger() const { return energy_ledger(field_, state_, dissipated_); }
+  EnergyLedger ledger() const { return energy_ledger(field_, state_, losses_); }
 
   /// Largest component, over all points, of the force on a point at rest in the present
   /// configuration, in M c²/R.
   double largest_static_force() const;
 
  private:
-  void watch_wall();
+  void watch_wall(const WallContact& wall);
+  double approach_speed() const;
+  void reset_velocities();
 
   ForceField field_;
   State state_;
@@ -49,7 +55,7 @@ class Simulation {
   double step_size_;
   std::uint64_t ticks_ = 0;  ///< time in units of the present step
   int halvings_ = 0;
-  double dissipated_ = 0.0;
+  Losses losses_;
 };
 
 }  // namespace impact

@@ -49,21 +49,47 @@ class Search {
     return force_.abs().maxCoeff();
   }
 
-  /// The tangent stiffness, with one point tied to its place along x. Since nothing acts along x
-  /// from outside, the tie carries no force, and only picks one of the equivalent shifts.
+  /// Whether a rigid shift along this axis (0: x, 1: y) costs no energy.
+  bool shifts_freely(int axis) const {
+    const bool supported = field_.supports && !field_.supports->held(axis).empty();
+    return !supported && (axis == 0 || !field_.wall);
+  }
+
+  /// The tangent stiffness, without the supported coordinates, and with one point tied to its place
+  /// along an axis that shifts freely. Since nothing acts along it from outside, the tie carries no
+  /// force, and only picks one of the equivalent shifts.
   Eigen::SparseMatrix<double> stiffness() const {
-    const Eigen::Index points = position_.rows();
+    const auto points = static_cast<std::int32_t>(position_.rows());
     std::vector<Eigen::Triplet<double>> entries = field_.bonds.stiffness(position_);
+    if (field_.supports) leave_out_supported(entries);
     if (field_.wall) {
-      for (Eigen::Index i = 0; i < points; ++i) {
+      for (std::int32_t i = 0; i < points; ++i) {
         entries.emplace_back(points + i, points + i,
                              field_.wall->stiffness(field_.wall->force_at(position_(i, 1))));
       }
     }
-    entries.emplace_back(0, 0, 1.0);
+    for (const int axis : {0, 1}) {
+      if (shifts_freely(axis)) entries.emplace_back(axis * points, axis * points, 1.0);
+    }
     Eigen::SparseMatrix<double> matrix(2 * points, 2 * points);
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;
+  }
+
+  void leave_out_supported(std::vector<Eigen::Triplet<double>>& entries) const {
+    const auto points = static_cast<std::int32_t>(position_.rows());
+    std::vector<bool> held(2 * static_cast<std::size_t>(points), false);
+    for (const int axis : {0, 1}) {
+      for (const std::int32_t point : field_.supports->held(axis)) {
+        held[static_cast<std::size_t>(axis * points + point)] = true;
+      }
+    }
+    const auto is_held = [&](int place) { return held[static_cast<std::size_t>(place)]; };
+    for (auto& entry : entries) {
+      const bool on_diagonal = entry.row() == entry.col();
+      if (!is_held(entry.row()) && !is_held(entry.col())) continue;
+      entry = {entry.row(), entry.col(), on_diagonal ? entry.value() : 0.0};
+    }
   }
 
   /// The displacements u with K u = f that keep the constraint; shifted until they lead downhill.
@@ -89,10 +115,12 @@ class Search {
     return force_ / scale;
   }
 
-  /// As points, without a mean shift along x, and no longer than the wall's range allows.
+  /// As points, without a free shift, and no longer than the wall's range allows.
   PointArray shaped(const Vector& step) const {
     PointArray moves = Eigen::Map<const PointArray>(step.data(), position_.rows(), 2);
-    moves.col(0) -= moves.col(0).mean();
+    for (const int axis : {0, 1}) {
+      if (shifts_freely(axis)) moves.col(axis) -= moves.col(axis).mean();
+    }
     if (field_.wall) {
       const double longest = moves.abs().maxCoeff();
       moves *= std::min(1.0, kLongestMove / field_.wall->a() / longest);

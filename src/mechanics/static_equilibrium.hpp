@@ -15,11 +15,12 @@ struct EquilibriumSearch {
 /// the rigid rotation held if the field holds it: the same state to which damped motion relaxes.
 ///
 /// Newton's method: each step solves K u = f for the displacements u, with K the tangent stiffness
-/// of bonds and wall (sparse LDLᵀ). Rigid horizontal shifts cost no energy: the mean horizontal
-/// displacement is held at zero, and so is the rotation (RotationHold) if asked for, by Lagrange
-/// multipliers. A backtracking line search on the energy keeps the search on its way down, and no
-/// point moves by more than a few ranges 1/a of the wall in one step. Where K is not positive in
-/// the directions that are free, a multiple of the unit matrix is added.
+/// of bonds and wall (sparse LDLᵀ). Along an axis on which nothing acts from outside and no support
+/// holds, rigid shifts cost no energy and the mean displacement is held at zero; the rotation
+/// (RotationHold) is held by a Lagrange multiplier, supported coordinates by leaving them out. A
+/// backtracking line search on the energy keeps the search on its way down, and no point moves by
+/// more than a few ranges 1/a of the wall in one step. Where K is not positive in the directions
+/// that are free, a multiple of the unit matrix is added.
 ///
 /// Found when no component of the net force exceeds `tolerance` (M c²/R).
 EquilibriumSearch find_equilibrium(ForceField& field, PointArray& position, double tolerance);

@@ -6,23 +6,24 @@ namespace impact {
 
 VelocityVerlet::VelocityVerlet(ForceField& field, const State& state)
     : acceleration_(state.position.rows(), 2) {
-  if (field.bonds.damped()) predicted_velocity_.resizeLike(state.velocity);
-  dissipated_power_ = field.evaluate(state.position, state.velocity, acceleration_);
+  if (field.damped()) predicted_velocity_.resizeLike(state.velocity);
+  power_ = field.evaluate(state.position, state.velocity, acceleration_);
   acceleration_ /= field.point_mass;
 }
 
-double VelocityVerlet::step(ForceField& field, State& state, double h) {
-  const bool damped = field.bonds.damped();
+Losses VelocityVerlet::step(ForceField& field, State& state, double h) {
+  const bool damped = field.damped();
   if (damped) predicted_velocity_ = state.velocity + h * acceleration_;
   state.velocity += (0.5 * h) * acceleration_;
   state.position += h * state.velocity;
 
-  const double power_before = dissipated_power_;
-  dissipated_power_ =
+  const Losses before = power_;
+  power_ =
       field.evaluate(state.position, damped ? predicted_velocity_ : state.velocity, acceleration_);
   acceleration_ /= field.point_mass;
   state.velocity += (0.5 * h) * acceleration_;
-  return 0.5 * h * (power_before + dissipated_power_);
+  return {0.5 * h * (before.dissipated + power_.dissipated),
+          0.5 * h * (before.absorbed + power_.absorbed)};
 }
 
 double verlet_step_limit(double omega_squared, double gamma) {

@@ -24,13 +24,13 @@ class VelocityVerlet {
   VelocityVerlet(ForceField& field, const State& state);
 
   /// Advances position and velocity by h (R/c) with one force evaluation; leaves time and step
-  /// count to the caller. Returns the energy that the damping dissipated (M c², trapezoidal rule).
-  double step(ForceField& field, State& state, double h);
+  /// count to the caller. Returns the energy lost (M c², trapezoidal rule).
+  Losses step(ForceField& field, State& state, double h);
 
  private:
   PointArray acceleration_;
   PointArray predicted_velocity_;  ///< empty without damping
-  double dissipated_power_;
+  Losses power_;
 };
 
 /// Largest stable step (R/c) for modes up to frequency² `omega_squared` (c²/R²) and damping rate

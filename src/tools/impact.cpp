@@ -102,7 +102,7 @@ class Experiment {
     result["P"] = exact(scene_.load.p);
     result["strain"] = exact(strain.strain());
     result["strain_from_radius"] = exact(strain.strain_from_radius());
-    result["wall_force"] = exact(run_.simulation().field().wall->total_force());
+    result["wall_force"] = exact(run_.simulation().field().wall->total_force().y());
     result["rotation"] = exact(strain.rotation);
     if (hold) result["hold_torque"] = exact(hold->torque());
     result["largest_static_force"] = exact(run_.simulation().largest_static_force());

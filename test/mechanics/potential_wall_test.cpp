@@ -22,7 +22,7 @@ TEST(PotentialWall, PushesUpWithItsExponential) {
   EXPECT_DOUBLE_EQ(force(0, 1), 75.0 * std::exp(-3.0));
   EXPECT_DOUBLE_EQ(force(1, 1), 75.0 * std::exp(-6.0));
   EXPECT_TRUE((force.col(0) == 0.0).all());
-  EXPECT_DOUBLE_EQ(wall.total_force(), force.col(1).sum());
+  EXPECT_DOUBLE_EQ(wall.total_force().y(), force.col(1).sum());
   EXPECT_DOUBLE_EQ(wall.largest_force(), force(0, 1));
 }
 
@@ -32,7 +32,7 @@ TEST(PotentialWall, ForceIsEnergyTimesInverseRange) {
   const PointArray points = points_at({-0.01, 0.0, 0.05, 0.1});
   PointArray force = PointArray::Zero(4, 2);
   wall.add_forces(points, force);
-  EXPECT_NEAR(wall.total_force() / (300.0 * wall.potential_energy(points)), 1.0, 1e-14);
+  EXPECT_NEAR(wall.total_force().y() / (300.0 * wall.potential_energy(points)), 1.0, 1e-14);
 }
 
 /// Beyond 60/a the force is left out; what is left out is below e⁻⁶⁰ = 10⁻²⁶ of a V₀.
@@ -47,7 +47,7 @@ TEST(PotentialWall, FarPointsFeelNothing) {
 
 TEST(PotentialWall, HeightsInvertForceAndEnergy) {
   const PotentialWall wall(300.0, 0.25);
-  EXPECT_NEAR(wall.force_at(wall.height_of_force(1e-3)), 1e-3, 1e-15);
+  EXPECT_NEAR(wall.force_at(wall.gap_of_force(1e-3)), 1e-3, 1e-15);
 
   PointArray points = points_at({0.0, 0.001, 0.3});
   const double height = wall.height_of_energy(points, 1e-10);

@@ -74,10 +74,10 @@ TEST_P(Damping, MomentumChangesByTheImpulseOfTheWall) {
   const auto momentum = [&] { return simulation.state().velocity.col(1).mean(); };
   const double start = momentum();
   double impulse = 0.0;
-  double last_force = simulation.field().wall->total_force();
+  double last_force = simulation.field().wall->total_force().y();
   while (simulation.state().time < 4.0) {
     simulation.step();
-    const double force = simulation.field().wall->total_force();
+    const double force = simulation.field().wall->total_force().y();
     impulse += 0.5 * simulation.step_size() * (last_force + force);
     last_force = force;
   }
@@ -118,7 +118,7 @@ TEST(Simulation, HalvesTheStepWhenTheWallGrowsTooStiff) {
     simulation.step();
     EXPECT_NEAR(simulation.state().time - last_time, simulation.step_size(), 1e-12);
     last_time = simulation.state().time;
-    impulse += simulation.step_size() * simulation.field().wall->total_force();
+    impulse += simulation.step_size() * simulation.field().wall->total_force().y();
   }
   EXPECT_GT(impulse, 0.05);
   EXPECT_GT(simulation.halvings(), 0);

@@ -20,7 +20,7 @@ TEST(FindEquilibrium, OfATriangleOnItsCorner) {
   field.load.emplace(0.003);
   field.hold.emplace(points);
   PointArray position = points;
-  position.col(1) += field.wall->height_of_force(0.003);
+  position.col(1) += field.wall->gap_of_force(0.003);
   const EquilibriumSearch search = find_equilibrium(field, position, 1e-15);
   ASSERT_TRUE(search.found);
 
@@ -83,7 +83,7 @@ TEST(FindEquilibrium, KeepsTheHeldRotationAndTheCentre) {
   field.load.emplace(0.01);
   field.hold.emplace(lattice.points);
   PointArray position = lattice.points;
-  position.col(1) += field.wall->height_of_force(0.01);
+  position.col(1) += field.wall->gap_of_force(0.01);
   ASSERT_TRUE(find_equilibrium(field, position, 1e-14).found);
   EXPECT_NEAR((field.hold->direction() * (position - lattice.points)).sum(), 0.0, 1e-12);
   EXPECT_NEAR(position.col(0).mean(), lattice.points.col(0).mean(), 1e-14);

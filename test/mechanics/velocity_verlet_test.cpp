@@ -72,7 +72,7 @@ TEST(VelocityVerlet, DissipatedEnergyIsThatLost) {
     VelocityVerlet verlet(oscillator.field, oscillator.state);
     double dissipated = 0.0;
     for (double t = 0.0; t < 3.0 - h / 2; t += h) {
-      dissipated += verlet.step(oscillator.field, oscillator.state, h);
+      dissipated += verlet.step(oscillator.field, oscillator.state, h).dissipated;
     }
     const double kinetic = 0.25 * oscillator.state.velocity.square().sum();
     const double start = 0.5 * kStretch * kStretch;

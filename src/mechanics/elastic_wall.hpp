@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lattice/lattice.hpp"
+#include "mechanics/wall_contact.hpp"
+
+namespace impact {
+
+/// How the gap between a point of the disk and the surface bond straight below it is measured.
+enum class GapMeasure {
+  /// Perpendicular to the bond, as in fig. 5 of the paper. The reaction on the bond's ends balances
+  /// force and torque. Where a point passes from one bond to the next the gap jumps, and the energy
+  /// with it.
+  kNormal,
+  /// Along y. The gap is continuous, and energy is conserved from bond to bond. The force still
+  /// points along the bond's normal, so that where the surface has the slope s the pair feels a
+  /// torque of s times gap times force.
+  kVertical
+};
+
+/// The contact of the disk with the surface of an elastic wall, §5 of the paper. The wall's top
+/// side is a chain of bonds. A point of the disk whose gap l to the bond straight below it is less
+/// than a threshold feels a V₀ exp(−a l) n with the bond's normal n; the two ends of the bond take
+/// the reaction, split by the lever rule at the foot of the point on the bond's line. While the
+/// bond stays the same these are the exact derivatives of V₀ exp(−a l).
+///
+/// The bond below each point is followed from evaluation to evaluation by walking along the chain,
+/// O(1) a point as long as points pass a few bonds at most in one step.
+class ElasticWall : public WallContact {
+ public:
+  /// The rows 0 … disk_points − 1 of all arrays are the disk's; `surface` holds the rows of the
+  /// wall's top side in the order of x. `threshold` in R.
+  ElasticWall(const WallContact& law, double threshold, GapMeasure measure,
+              Eigen::Index disk_points, std::vector<std::int32_t> surface,
+              const PointArray& position);
+
+  void add_forces(const PointArray& position, PointArray& force);
+
+  /// With the bond below each point as in the last evaluation.
+  double potential_energy(const PointArray& position) const;
+
+  /// Energy that appeared because a point in reach came to another bond, or in or out of reach, at
+  /// the evaluations so far (M c²): the sum of its changes, and of their sizes.
+  double hops() const { return hops_; }
+  double hops_size() const { return hops_size_; }
+
+  /// The points of the disk that the wall pushes with more than `least_force` (M c²/R).
+  std::vector<PointForce> contacts(const PointArray& position, double least_force) const;
+  /// The reactions to those forces, by point of the wall.
+  std::vector<PointForce> reactions(const PointArray& position, double least_force) const;
+
+ private:
+  static constexpr std::int32_t kNone = -1;
+
+  /// A point above a bond of the surface.
+  struct Gap {
+    double length;          ///< R
+    Eigen::Array2d normal;  ///< gradient of the length with respect to the point
+    double foot;            ///< place on the bond, 0 at its first end, 1 at its second
+  };
+
+  template <GapMeasure kMeasure>
+  Gap gap(const PointArray& position, Eigen::Index point, std::int32_t bond) const;
+  Gap gap(const PointArray& position, Eigen::Index point, std::int32_t bond) const;
+  template <GapMeasure kMeasure>
+  void add(const PointArray& position, PointArray& force);
+  template <class Use>
+  void for_each_contact(const PointArray& position, const Use& use) const;
+  /// The bond straight below a place; kNone beside the wall.
+  std::int32_t bond_below(const PointArray& position, double x, std::int32_t guess) const;
+  double highest_in_reach(const PointArray& position) const;
+  void change_bond(const PointArray& position, Eigen::Index point, std::int32_t bond);
+  double potential_of(const PointArray& position, Eigen::Index point, std::int32_t bond) const;
+
+  double threshold_;
+  GapMeasure measure_;
+  Eigen::Index disk_points_;
+  std::vector<std::int32_t> surface_;
+  std::vector<std::int32_t> bond_;  ///< below each point of the disk; kNone: out of reach
+  double hops_ = 0.0;
+  double hops_size_ = 0.0;
+};
+
+}  // namespace impact

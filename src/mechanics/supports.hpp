@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "lattice/lattice.hpp"
+
+namespace impact {
+
+/// Holds single coordinates of points where they are, whatever pulls at them: a clamp holds both,
+/// a grip that lets the sides contract or a sliding wall holds one.
+class Supports {
+ public:
+  /// Rows of the points whose x, and of those whose y, is held.
+  Supports(std::vector<std::int32_t> x, std::vector<std::int32_t> y)
+      : held_{std::move(x), std::move(y)} {}
+
+  /// Takes away the force on what is held. To be called after all other forces.
+  void apply(PointArray& force) const {
+    for (const int axis : {0, 1}) {
+      for (const std::int32_t point : held(axis)) force(point, axis) = 0.0;
+    }
+  }
+
+  /// Rows of the points whose coordinate is held; axis 0 is x, 1 is y.
+  const std::vector<std::int32_t>& held(int axis) const {
+    return held_[static_cast<std::size_t>(axis)];
+  }
+
+ private:
+  std::array<std::vector<std::int32_t>, 2> held_;
+};
+
+}  // namespace impact

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "lattice/lattice.hpp"
+
+namespace impact {
+
+/// Dashpots on boundary points that take up what a wave brings (J. Lysmer and R. L. Kuhlemeyer,
+/// J. Eng. Mech. Div. ASCE 95 (1969) 859): the force −ρ c_L v across the boundary and −ρ c_T v
+/// along it, per length of boundary. A plane wave that meets the boundary head-on is not reflected.
+/// There is no restoring force, so a push leaves a slow drift.
+class ViscousBoundary {
+ public:
+  struct Dashpot {
+    std::int32_t point;          ///< row
+    Eigen::Array2d coefficient;  ///< along x and y, M c/R
+  };
+
+  explicit ViscousBoundary(std::vector<Dashpot> dashpots) : dashpots_(std::move(dashpots)) {}
+
+  /// Adds the forces (M c²/R). Returns the power that is absorbed (M c³/R).
+  double add_forces(const PointArray& velocity, PointArray& force) const {
+    double power = 0.0;
+    for (const Dashpot& dashpot : dashpots_) {
+      const Eigen::Array2d speed = velocity.row(dashpot.point).transpose();
+      const Eigen::Array2d drag = dashpot.coefficient * speed;
+      force.row(dashpot.point) -= drag.transpose();
+      power += (drag * speed).sum();
+    }
+    return power;
+  }
+
+  /// Largest coefficient, M c/R.
+  double largest_coefficient() const {
+    double largest = 0.0;
+    for (const Dashpot& dashpot : dashpots_) {
+      largest = std::max(largest, dashpot.coefficient.maxCoeff());
+    }
+    return largest;
+  }
+
+ private:
+  std::vector<Dashpot> dashpots_;
+};
+
+}  // namespace impact
