@@ -11,15 +11,24 @@ enum class Placement {
   kBlueNoise  ///< uniform points no closer than 0.6 s to each other, by dart throwing
 };
 
-/// How points are placed in the disk of radius 1 R about the origin. The typical spacing is
-/// s = √(area/N) = √(π/N).
-struct DiskRecipe {
+/// How points are placed in a region. The typical spacing is s = √(area/N).
+struct PlacementRecipe {
   int points = 1099;  ///< N, at least 3, rim included
   Placement placement = Placement::kBlueNoise;
-  bool rim = true;  ///< min(N, ⌊2π/s⌋) of the points evenly on the circle, turned by a random angle
+  bool rim = true;  ///< points evenly along the region's boundary, about s apart
 };
 
-/// Points of the recipe; the same seed gives the same points. O(N) time and memory.
-PointArray place_in_disk(const DiskRecipe& recipe, std::uint64_t seed);
+/// Points of the recipe in the disk of radius 1 R about the origin; the same seed gives the same
+/// points. The rim is min(N, ⌊2π/s⌋) points on the circle, turned by a random angle. O(N) time and
+/// memory.
+PointArray place_in_disk(const PlacementRecipe& recipe, std::uint64_t seed);
+
+/// Points of the recipe in the rectangle of this width and height (R) about the origin; the same
+/// seed gives the same points. The rim are points along the four sides, corners included, each side
+/// in the whole number of equal intervals nearest to side/s (at least 1); their coordinates across
+/// the side are exactly ±height/2 or ±width/2. O(N) time and memory.
+/// @throw InputError when the rim needs more than N points.
+PointArray place_in_rectangle(const PlacementRecipe& recipe, double width, double height,
+                              std::uint64_t seed);
 
 }  // namespace impact

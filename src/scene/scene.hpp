@@ -29,7 +29,7 @@ struct Scene {
   std::uint64_t seed = 1;
 
   struct Disk {
-    DiskRecipe recipe;
+    PlacementRecipe recipe;
     std::string file;  ///< a LAMMPS data file that replaces the recipe; empty: none
   } disk;
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "expect_input_error.hpp"
+
 namespace impact {
 namespace {
 
@@ -21,34 +23,35 @@ Eigen::Index count_on_rim(const PointArray& points) {
   return ((points.square().rowwise().sum() - 1.0).abs() < 1e-12).count();
 }
 
-class EveryRecipe : public testing::TestWithParam<DiskRecipe> {};
+class EveryDisk : public testing::TestWithParam<PlacementRecipe> {};
 
-TEST_P(EveryRecipe, FillsTheDiskWithNPoints) {
+TEST_P(EveryDisk, FillsTheDiskWithNPoints) {
   const PointArray points = place_in_disk(GetParam(), 3);
   EXPECT_EQ(points.rows(), GetParam().points);
   EXPECT_LE(points.square().rowwise().sum().maxCoeff(), 1.0 + 1e-12);
 }
 
-TEST_P(EveryRecipe, DependsOnTheSeedAlone) {
+TEST_P(EveryDisk, DependsOnTheSeedAlone) {
   const PointArray points = place_in_disk(GetParam(), 3);
   EXPECT_TRUE((points == place_in_disk(GetParam(), 3)).all());
   EXPECT_FALSE((points == place_in_disk(GetParam(), 4)).all());
 }
 
-TEST_P(EveryRecipe, HasItsRim) {
+TEST_P(EveryDisk, HasItsRim) {
   const int n = GetParam().points;
   const double spacing = std::sqrt(M_PI / n);
   const int expected = GetParam().rim ? std::min(n, static_cast<int>(2.0 * M_PI / spacing)) : 0;
   EXPECT_EQ(count_on_rim(place_in_disk(GetParam(), 3)), expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(Placement, EveryRecipe,
-                         testing::Values(DiskRecipe{}, DiskRecipe{1099, Placement::kUniform, true},
-                                         DiskRecipe{1099, Placement::kUniform, false},
-                                         DiskRecipe{1099, Placement::kBlueNoise, false},
-                                         DiskRecipe{3, Placement::kBlueNoise, true},
-                                         DiskRecipe{3, Placement::kUniform, false},
-                                         DiskRecipe{14, Placement::kBlueNoise, true}));
+INSTANTIATE_TEST_SUITE_P(Placement, EveryDisk,
+                         testing::Values(PlacementRecipe{},
+                                         PlacementRecipe{1099, Placement::kUniform, true},
+                                         PlacementRecipe{1099, Placement::kUniform, false},
+                                         PlacementRecipe{1099, Placement::kBlueNoise, false},
+                                         PlacementRecipe{3, Placement::kBlueNoise, true},
+                                         PlacementRecipe{3, Placement::kUniform, false},
+                                         PlacementRecipe{14, Placement::kBlueNoise, true}));
 
 TEST(Placement, BlueNoiseKeepsItsDistance) {
   for (const bool rim : {true, false}) {
@@ -65,6 +68,78 @@ TEST(Placement, UniformPointsAreUniform) {
   EXPECT_NEAR(points.square().sum() / n, 0.5, five_sigma);
   EXPECT_NEAR(points.col(0).mean(), 0.0, 2.0 * five_sigma);
   EXPECT_NEAR(points.col(1).mean(), 0.0, 2.0 * five_sigma);
+}
+
+constexpr double kWidth = 2.69;
+constexpr double kHeight = 1.35;
+
+class EveryRectangle : public testing::TestWithParam<PlacementRecipe> {};
+
+TEST_P(EveryRectangle, IsFilledWithNPoints) {
+  const PointArray points = place_in_rectangle(GetParam(), kWidth, kHeight, 3);
+  EXPECT_EQ(points.rows(), GetParam().points);
+  EXPECT_LE(points.col(0).abs().maxCoeff(), kWidth / 2.0);
+  EXPECT_LE(points.col(1).abs().maxCoeff(), kHeight / 2.0);
+}
+
+TEST_P(EveryRectangle, DependsOnTheSeedAlone) {
+  const PointArray points = place_in_rectangle(GetParam(), kWidth, kHeight, 3);
+  EXPECT_TRUE((points == place_in_rectangle(GetParam(), kWidth, kHeight, 3)).all());
+  EXPECT_FALSE((points == place_in_rectangle(GetParam(), kWidth, kHeight, 4)).all());
+}
+
+/// The sides are found by comparison, so their points lie on them exactly.
+TEST_P(EveryRectangle, HasItsRimExactlyOnItsSides) {
+  const PointArray points = place_in_rectangle(GetParam(), kWidth, kHeight, 3);
+  const double spacing = std::sqrt(kWidth * kHeight / GetParam().points);
+  const auto on_row = GetParam().rim ? std::lround(kWidth / spacing) + 1 : 0;
+  const auto on_column = GetParam().rim ? std::lround(kHeight / spacing) + 1 : 0;
+  EXPECT_EQ((points.col(1) == kHeight / 2.0).count(), on_row);
+  EXPECT_EQ((points.col(1) == -kHeight / 2.0).count(), on_row);
+  EXPECT_EQ((points.col(0) == kWidth / 2.0).count(), on_column);
+  EXPECT_EQ((points.col(0) == -kWidth / 2.0).count(), on_column);
+}
+
+INSTANTIATE_TEST_SUITE_P(Placement, EveryRectangle,
+                         testing::Values(PlacementRecipe{1269, Placement::kBlueNoise, true},
+                                         PlacementRecipe{1269, Placement::kUniform, true},
+                                         PlacementRecipe{1269, Placement::kBlueNoise, false},
+                                         PlacementRecipe{1269, Placement::kUniform, false},
+                                         PlacementRecipe{30, Placement::kBlueNoise, true},
+                                         PlacementRecipe{3, Placement::kBlueNoise, false}));
+
+/// s = 0.1 R, so that the rim of the 2 R by 1 R rectangle has 60 points 0.1 R apart.
+TEST(PlacementInARectangle, SpacesItsRimEvenly) {
+  const PointArray rim =
+      place_in_rectangle({200, Placement::kUniform, true}, 2.0, 1.0, 1).topRows(60);
+  EXPECT_TRUE((rim.col(0).abs() == 1.0 || rim.col(1).abs() == 0.5).all());
+  EXPECT_NEAR(shortest_distance(rim), 0.1, 1e-14);
+}
+
+TEST(PlacementInARectangle, BlueNoiseKeepsItsDistance) {
+  for (const bool rim : {true, false}) {
+    const PointArray points =
+        place_in_rectangle({1269, Placement::kBlueNoise, rim}, kWidth, kHeight, 5);
+    EXPECT_GE(shortest_distance(points), 0.6 * std::sqrt(kWidth * kHeight / 1269));
+  }
+}
+
+/// Uniform points: the mean of x/width is 0 ± 1/√(12 N); that of its square is 1/12 ± 1/√(180 N).
+TEST(PlacementInARectangle, UniformPointsAreUniform) {
+  const int n = 100000;
+  PointArray points = place_in_rectangle({n, Placement::kUniform, false}, kWidth, kHeight, 5);
+  points.col(0) /= kWidth;
+  points.col(1) /= kHeight;
+  for (const int column : {0, 1}) {
+    EXPECT_NEAR(points.col(column).mean(), 0.0, 5.0 / std::sqrt(12.0 * n));
+    EXPECT_NEAR(points.col(column).square().mean(), 1.0 / 12.0, 5.0 / std::sqrt(180.0 * n));
+  }
+}
+
+TEST(PlacementInARectangle, RefusesARimThatNeedsMorePoints) {
+  EXPECT_INPUT_ERROR(place_in_rectangle({15, Placement::kUniform, true}, 4.0, 4.0, 1),
+                     "the rim of a 4 by 4 R rectangle of 15 points needs 16 points");
+  EXPECT_EQ(place_in_rectangle({16, Placement::kUniform, true}, 4.0, 4.0, 1).rows(), 16);
 }
 
 }  // namespace
