@@ -70,6 +70,18 @@ Lattice make_lattice(PointArray points, std::vector<Bond> bonds) {
   return lattice;
 }
 
+Lattice joined(const Lattice& first, const Lattice& second) {
+  const auto offset = static_cast<std::int32_t>(first.points.rows());
+  Lattice both{PointArray(offset + second.points.rows(), 2), first.bonds, first.natural_lengths};
+  both.points << first.points, second.points;
+  for (const Bond& bond : second.bonds) {
+    both.bonds.push_back({bond.first + offset, bond.second + offset});
+  }
+  both.natural_lengths.insert(both.natural_lengths.end(), second.natural_lengths.begin(),
+                              second.natural_lengths.end());
+  return both;
+}
+
 Lattice triangulated_lattice(const PointArray& points) {
   require_area(points);
   std::vector<Bond> bonds = delaunay_bonds(points);

@@ -40,4 +40,8 @@ Lattice make_lattice(PointArray points, std::vector<Bond> bonds);
 /// @throw InputError as make_lattice(points, bonds), and when two points coincide.
 Lattice triangulated_lattice(const PointArray& points);
 
+/// Two lattices in one set of arrays, without a bond between them: the points of `first`, then
+/// those of `second`.
+Lattice joined(const Lattice& first, const Lattice& second);
+
 }  // namespace impact

@@ -56,7 +56,7 @@ lattice_impact::ContactForces to_message(const ContactReport& report) {
   lattice_impact::ContactForces message;
   message.step = report.step;
   message.time = report.time;
-  for (const ContactReport::PointForce& contact : report.points) {
+  for (const PointForce& contact : report.points) {
     message.point.push_back(static_cast<std::uint32_t>(contact.point));
     message.fx.push_back(contact.force.x());
     message.fy.push_back(contact.force.y());

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "lattice/input_error.hpp"
 #include "lattice/lammps_data.hpp"
 #include "lattice/placement.hpp"
+#include "run/elastic_wall_body.hpp"
 #include "run/step_choice.hpp"
 
 namespace impact {
@@ -29,28 +31,13 @@ Lattice disk_lattice(const Scene& scene) {
   return triangulated_lattice(place_in_disk(scene.disk.recipe, scene.seed));
 }
 
-State initial_state(const Scene& scene, const PointArray& reference, const PotentialWall& wall) {
-  State state;
-  state.position = reference;
-  state.velocity = PointArray::Zero(reference.rows(), 2);
-  double lowest = 0.0;
-  if (scene.kind == SceneKind::kContact) {
-    lowest = wall.height_of_force(scene.load.p);
-  } else {
-    lowest = scene.impact.gap ? *scene.impact.gap
-                              : wall.height_of_energy(reference, negligible_wall_energy(scene));
-    state.velocity.col(1) = -scene.impact.velocity;
-  }
-  state.position.col(1) += lowest - reference.col(1).minCoeff();
-  return state;
-}
-
 /// Rough time until the disk's bouncing on the wall has decayed to the wanted error. The disk is
 /// the spring k_d = dP/dξ ≈ πE/(ln(4πER/P) − 2) of the 2D Hertz contact with Kelvin–Voigt damping
 /// of the time constant η/k_a, in series with the wall's own undamped spring k_w = a P. So the
 /// bouncing decays at the rate (η/k_a) k_d (k_w/(k_w + k_d))²/(2M), or k_a/η when overdamped.
-double relaxation_time(const Scene& scene, double sound_speed, int points) {
-  const double time_constant = scene.material.eta / (points * scene.material.k_a);
+double relaxation_time(const Scene& scene, double sound_speed, Eigen::Index points) {
+  const double time_constant =
+      scene.material.eta / (static_cast<double>(points) * scene.material.k_a);
   const double pi_e = sound_speed * sound_speed;
   const double disk = pi_e / std::max(1.0, std::log(4.0 * pi_e / scene.load.p) - 2.0);
   const double wall = scene.wall.a * scene.load.p;
@@ -66,6 +53,123 @@ double impact_time(const Scene& scene, double sound_speed, double gap) {
   return 2.0 * std::max(0.0, gap) / v + contact;
 }
 
+/// The rectangle of a stretch scene, with the disk's number density.
+Lattice stretched_rectangle(const Scene& scene) {
+  const double area = scene.stretch.width * scene.stretch.height;
+  const auto points = static_cast<int>(std::lround(scene.disk.recipe.points * area / M_PI));
+  const PlacementRecipe recipe{points, scene.disk.recipe.placement, true};
+  try {
+    return triangulated_lattice(
+        place_in_rectangle(recipe, scene.stretch.width, scene.stretch.height, scene.seed));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("stretch: {}", error.what()));
+  }
+}
+
+/// The ends are drawn apart by grips that hold x and let y go, so that they do not hinder the
+/// lateral contraction.
+Composition compose_stretch(const Scene& scene) {
+  Lattice lattice = stretched_rectangle(scene);
+  const double mass = 1.0 / scene.disk.recipe.points;
+  const BondLaw law{scene.material.k_a, scene.material.k_b, 0.0};
+  ForceField field{BondForces(lattice, law), mass};
+  const RectangleSides sides = rectangle_sides(lattice);
+  std::vector<std::int32_t> ends = sides.left;
+  ends.insert(ends.end(), sides.right.begin(), sides.right.end());
+  field.supports.emplace(std::move(ends), std::vector<std::int32_t>{});
+
+  State initial;
+  initial.position = lattice.points;
+  initial.position.col(0) *= 1.0 + scene.stretch.strain;
+  initial.velocity = PointArray::Zero(lattice.points.rows(), 2);
+  constexpr double kNoMotion = 1.0;  // R/c, what an iteration counts as
+  return {std::move(lattice),
+          {},
+          std::move(field),
+          std::move(initial),
+          {},
+          kNoMotion,
+          estimated_sound_speed(law.k_a),
+          0.0};
+}
+
+/// The disk and, if the scene has one, the elastic wall.
+struct Bodies {
+  Lattice disk;
+  std::optional<ElasticWallBody> wall;
+  Lattice all() const { return wall ? joined(disk, wall->lattice) : disk; }
+};
+
+/// The disk above the wall, which is at rest with its surface at y = 0.
+State initial_state(const Scene& scene, const Bodies& bodies, const PotentialWall& wall) {
+  const PointArray& reference = bodies.disk.points;
+  const Eigen::Index points = reference.rows();
+  State state;
+  state.position = bodies.all().points;
+  state.velocity = PointArray::Zero(state.position.rows(), 2);
+  double lowest = 0.0;
+  if (scene.kind == SceneKind::kContact) {
+    lowest = wall.gap_of_force(scene.load.p);
+  } else {
+    lowest = scene.impact.gap ? *scene.impact.gap
+                              : wall.height_of_energy(reference, negligible_wall_energy(scene));
+    state.velocity.col(1).head(points) = -scene.impact.velocity;
+  }
+  state.position.col(1).head(points) += lowest - reference.col(1).minCoeff();
+  return state;
+}
+
+double expected_time(const Scene& scene, double sound_speed, Eigen::Index points, double gap) {
+  if (scene.kind == SceneKind::kCollision) return impact_time(scene, sound_speed, gap);
+  return scene.is_static() ? 0.0 : relaxation_time(scene, sound_speed, points);
+}
+
+void add_terms(const Scene& scene, const Bodies& bodies, const PotentialWall& wall,
+               const PointArray& position, ForceField& field) {
+  if (bodies.wall) {
+    add_elastic_wall(scene, *bodies.wall, wall, position, field);
+  } else {
+    field.wall = wall;
+  }
+  if (scene.kind != SceneKind::kContact) return;
+  field.load.emplace(scene.load.p);
+  if (scene.load.hold_rotation) field.hold.emplace(bodies.disk.points);
+}
+
+Composition compose_on_wall(const Scene& scene) {
+  Bodies bodies{disk_lattice(scene), {}};
+  const Eigen::Index points = bodies.disk.points.rows();
+  const double mass = 1.0 / static_cast<double>(points);
+  if (scene.wall.kind == WallKind::kLattice) bodies.wall = elastic_wall_body(scene, points);
+
+  const Lattice all = bodies.all();
+  const BondLaw law{scene.material.k_a, scene.material.k_b, scene.material.eta * mass};
+  const double part = scene.wall.kind == WallKind::kLattice ? 0.5 : 1.0;
+  const PotentialWall wall(scene.wall.a, scene.wall.v0.value_or(part * scene.wall.a * mass));
+
+  State initial = initial_state(scene, bodies, wall);
+  ForceField field{BondForces(all, law), mass};
+  add_terms(scene, bodies, wall, initial.position, field);
+  Spectrum spectrum = lattice_spectrum(all, law, mass);
+  if (field.viscous_boundary) {
+    spectrum.gamma += field.viscous_boundary->largest_coefficient() / mass;
+  }
+
+  const double sound_speed = estimated_sound_speed(law.k_a);
+  const double gap = initial.position.col(1).head(points).minCoeff();
+  const double step = choose_step(scene, spectrum, wall, static_cast<int>(points), sound_speed);
+  std::optional<Lattice> wall_lattice;
+  if (bodies.wall) wall_lattice = std::move(bodies.wall->lattice);
+  return {std::move(bodies.disk),
+          std::move(wall_lattice),
+          std::move(field),
+          std::move(initial),
+          spectrum,
+          step,
+          sound_speed,
+          expected_time(scene, sound_speed, points, gap)};
+}
+
 }  // namespace
 
 double negligible_wall_energy(const Scene& scene) {
@@ -73,30 +177,7 @@ double negligible_wall_energy(const Scene& scene) {
 }
 
 Composition compose(const Scene& scene) {
-  Lattice lattice = disk_lattice(scene);
-  const auto points = static_cast<int>(lattice.points.rows());
-  const double mass = 1.0 / points;
-  const BondLaw law{scene.material.k_a, scene.material.k_b, scene.material.eta * mass};
-  const Spectrum spectrum = lattice_spectrum(lattice, law, mass);
-  const double sound_speed = estimated_sound_speed(law.k_a);
-  const PotentialWall wall(scene.wall.a, scene.wall.v0.value_or(scene.wall.a * mass));
-  State initial = initial_state(scene, lattice.points, wall);
-
-  ForceField field{BondForces(lattice, law), mass};
-  field.wall = wall;
-  double expected_time = 0.0;
-  if (scene.kind == SceneKind::kContact) {
-    field.load.emplace(scene.load.p);
-    if (scene.load.hold_rotation) field.hold.emplace(lattice.points);
-    if (scene.numerics.integrator != IntegratorKind::kNewton) {
-      expected_time = relaxation_time(scene, sound_speed, points);
-    }
-  } else {
-    expected_time = impact_time(scene, sound_speed, initial.position.col(1).minCoeff());
-  }
-  const double step = choose_step(scene, spectrum, wall, points, sound_speed);
-  return {std::move(lattice), std::move(field), std::move(initial), spectrum, step,
-          sound_speed,        expected_time};
+  return scene.kind == SceneKind::kStretch ? compose_stretch(scene) : compose_on_wall(scene);
 }
 
 }  // namespace impact

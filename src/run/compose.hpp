@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "lattice/lattice.hpp"
 #include "mechanics/force_field.hpp"
 #include "mechanics/spectrum.hpp"
@@ -10,7 +12,8 @@ namespace impact {
 
 /// A scene made ready: the terms that it has, and no others, at the start.
 struct Composition {
-  Lattice lattice;
+  Lattice lattice;                      ///< of the disk, or of a stretched rectangle
+  std::optional<Lattice> wall_lattice;  ///< of an elastic wall, above whose surface y = 0 lies
   ForceField field;
   State initial;
   Spectrum spectrum;

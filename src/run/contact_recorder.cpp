@@ -4,34 +4,47 @@
 #include <utility>
 
 namespace impact {
+namespace {
+
+/// The wall force along y; 0 without a wall.
+ForceSample sample_of(const Simulation& simulation) {
+  const WallContact* const contact = simulation.field().contact();
+  return {simulation.state().time, contact != nullptr ? contact->total_force().y() : 0.0};
+}
+
+}  // namespace
 
 ContactRecorder::ContactRecorder(const Simulation& start, double contact_force)
-    : contact_force_(contact_force), last_{start.state().time, start.field().wall->total_force()} {
+    : contact_force_(contact_force), last_(sample_of(start)) {
   report_.samples.push_back(last_);
   report_.peak_force = last_.force;
 }
 
 void ContactRecorder::add_step(const Simulation& simulation) {
-  const ForceSample sample{simulation.state().time, simulation.field().wall->total_force()};
+  const ForceSample sample = sample_of(simulation);
   report_.impulse += 0.5 * (last_.force + sample.force) * (sample.time - last_.time);
   report_.peak_force = std::max(report_.peak_force, sample.force);
   report_.samples.push_back(sample);
   last_ = sample;
 }
 
-ContactReport ContactRecorder::take(const Simulation& simulation) {
-  const PotentialWall& wall = *simulation.field().wall;
+ContactReports ContactRecorder::take(const Simulation& simulation) {
+  const ForceField& field = simulation.field();
   const State& state = simulation.state();
-  report_.time = state.time;
-  report_.step = state.step;
-  report_.total = {0.0, wall.total_force()};
-  const double contact_height = wall.height_of_force(contact_force_);
-  for (Eigen::Index i = 0; i < state.position.rows(); ++i) {
-    const double height = state.position(i, 1);
-    if (height > contact_height) continue;
-    report_.points.push_back({static_cast<std::int32_t>(i), {0.0, wall.force_at(height)}});
+  ContactReports reports;
+  reports.on_disk = std::exchange(report_, ContactReport{});
+  reports.on_disk.time = reports.on_wall.time = state.time;
+  reports.on_disk.step = reports.on_wall.step = state.step;
+  if (const WallContact* const contact = field.contact()) {
+    reports.on_disk.total = contact->total_force();
+    reports.on_wall.total = -contact->total_force();
   }
-  return std::exchange(report_, ContactReport{});
+  if (field.wall) reports.on_disk.points = field.wall->contacts(state.position, contact_force_);
+  if (field.elastic_wall) {
+    reports.on_disk.points = field.elastic_wall->contacts(state.position, contact_force_);
+    reports.on_wall.points = field.elastic_wall->reactions(state.position, contact_force_);
+  }
+  return reports;
 }
 
 }  // namespace impact

@@ -5,6 +5,13 @@
 
 namespace impact {
 
+/// What the wall did to the disk and, where the wall is elastic, what the disk did to it. The
+/// second has no samples: they are the first's with the opposite sign.
+struct ContactReports {
+  ContactReport on_disk;
+  ContactReport on_wall;
+};
+
 /// Follows the wall force step by step and sums it up into reports.
 class ContactRecorder {
  public:
@@ -15,8 +22,8 @@ class ContactRecorder {
   /// To be called after every step.
   void add_step(const Simulation& simulation);
 
-  /// The report up to the present step; begins the next one.
-  ContactReport take(const Simulation& simulation);
+  /// The reports up to the present step; begins the next ones.
+  ContactReports take(const Simulation& simulation);
 
  private:
   double contact_force_;

@@ -16,13 +16,15 @@ SeparationEnd::SeparationEnd(double negligible_energy, double sound_speed)
 
 bool SeparationEnd::reached(const Simulation& simulation) {
   // The potential V₀ exp(−a y) is its force over a.
-  const PotentialWall& wall = *simulation.field().wall;
+  const WallContact& wall = *simulation.field().contact();
   const State& state = simulation.state();
-  if (wall.total_force() / wall.a() > negligible_energy_) {
+  const Eigen::Index disk = state.position.rows() - simulation.field().wall_points;
+  if (wall.total_force().y() / wall.a() > negligible_energy_) {
     touched_ = true;
     last_touch_ = state.time;
   }
-  return touched_ && state.time - last_touch_ > waiting_time_ && state.velocity.col(1).sum() > 0.0;
+  const double upwards = state.velocity.col(1).head(disk).sum();
+  return touched_ && state.time - last_touch_ > waiting_time_ && upwards > 0.0;
 }
 
 RestEnd::RestEnd(const Scene& scene, Eigen::Index points, double step)
@@ -40,9 +42,15 @@ bool RestEnd::reached(const Simulation& simulation) {
 
 double negligible_static_force(const Scene& scene, Eigen::Index points, double step) {
   constexpr double kRounding = 2e-15;
+  const double rounding_of_bonds = kRounding * scene.material.k_a;
+  if (scene.kind == SceneKind::kStretch) {
+    const double on_one_bond = scene.material.k_a * std::abs(scene.stretch.strain) *
+                               std::sqrt(M_PI / scene.disk.recipe.points);
+    return std::max(0.01 * scene.numerics.error * on_one_bond, rounding_of_bonds);
+  }
   const double share = 1.0 / static_cast<double>(points);
-  double rounding = kRounding * scene.material.k_a;
-  if (scene.numerics.integrator != IntegratorKind::kNewton) {
+  double rounding = rounding_of_bonds;
+  if (!scene.is_static()) {
     const double eta = scene.material.eta * share;
     rounding += 12.0 * eta * std::numeric_limits<double>::epsilon() / step;
   }
@@ -53,6 +61,7 @@ std::unique_ptr<EndOfRun> end_of_run(const Scene& scene, const Composition& comp
   if (scene.kind == SceneKind::kContact) {
     return std::make_unique<RestEnd>(scene, composition.lattice.points.rows(), composition.step);
   }
+  if (scene.kind == SceneKind::kStretch) return std::make_unique<StaticEnd>();
   return std::make_unique<SeparationEnd>(negligible_wall_energy(scene), composition.sound_speed);
 }
 

@@ -49,10 +49,18 @@ class RestEnd : public EndOfRun {
   double next_look_ = 0.0;
 };
 
-/// The largest component of a static force (M c²/R) that counts as none in a contact scene:
-/// error/10 of P/N, but no less than what rounding leaves: 2·10⁻¹⁵ k_a R of the bonds and, where a
-/// motion in steps of h (R/c) comes to rest, 12 η ε R/h. There the damping, whose Laplacian has the
-/// largest eigenvalue 12, makes the displacement of a step smaller than the spacing ε of doubles.
+/// A static solution without motion is an end by itself.
+class StaticEnd : public EndOfRun {
+ public:
+  bool reached(const Simulation& /*simulation*/) override { return true; }
+  const char* flag_if_given_up() const override { return "not_at_rest"; }
+};
+
+/// The largest component of a static force (M c²/R) that counts as none. In a stretch scene
+/// error/100 of what a bond of the typical length √(π/N) R carries; in a contact scene error/10 of
+/// P/N, but no less than what rounding leaves: 2·10⁻¹⁵ k_a R of the bonds and, where a motion in
+/// steps of h (R/c) comes to rest, 12 η ε R/h. There the damping, whose Laplacian has the largest
+/// eigenvalue 12, makes the displacement of a step smaller than the spacing ε of doubles.
 double negligible_static_force(const Scene& scene, Eigen::Index points, double step);
 
 std::unique_ptr<EndOfRun> end_of_run(const Scene& scene, const Composition& composition);

@@ -9,7 +9,7 @@ namespace impact {
 namespace {
 
 double active_energy(const EnergyLedger& ledger) {
-  return ledger.kinetic() + ledger.bonds + ledger.wall;
+  return ledger.kinetic() + ledger.bonds + ledger.wall + ledger.wall_lattice;
 }
 
 }  // namespace
@@ -20,7 +20,7 @@ EnergyMonitor::EnergyMonitor(const EnergyLedger& start)
 void EnergyMonitor::check(const Simulation& simulation) {
   const EnergyLedger ledger = simulation.ledger();
   const double deviation = std::abs(ledger.total() - total_at_start_);
-  if (!(deviation <= std::max(largest_energy_, ledger.dissipated))) {
+  if (!(deviation <= std::max(largest_energy_, ledger.dissipated + ledger.absorbed))) {
     throw RunFailure(fmt::format(
         "the energy balance broke at t = {:.6g} R/c (total {:.3g}, at the start {:.3g} M c²): the "
         "step {:.3g} R/c does not hold the motion",

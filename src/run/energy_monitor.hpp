@@ -22,7 +22,7 @@ class EnergyMonitor {
   void check(const Simulation& simulation);
 
   /// Largest deviation of the ledger's total from the start, over the largest sum of kinetic, bond
-  /// and wall energy, of all checks so far.
+  /// and wall energy of the bodies, of all checks so far.
   double error() const { return largest_deviation_ / largest_energy_; }
 
  private:

@@ -21,6 +21,7 @@ Run::Run(const Scene& scene, Composition composition)
       expected_time_(composition.expected_time),
       end_(end_of_run(scene, composition)),
       lattice_(std::move(composition.lattice)),
+      wall_lattice_(std::move(composition.wall_lattice)),
       simulation_(std::move(composition.field), std::move(composition.initial),
                   composition.spectrum, composition.step),
       monitor_(simulation_.ledger()),
@@ -34,7 +35,7 @@ Run::Run(const Scene& scene, Composition composition)
 }
 
 void Run::advance(const std::function<bool()>& stop) {
-  if (scene_.numerics.integrator == IntegratorKind::kNewton) {
+  if (scene_.is_static()) {
     settle();
     return;
   }
@@ -46,6 +47,18 @@ void Run::advance(const std::function<bool()>& stop) {
     observe_step();
     if (stop && state().step % kCheckSteps == 0 && stop()) return;
   }
+}
+
+State Run::disk_state() const {
+  const Eigen::Index points = lattice_.points.rows();
+  return {state().time, state().step, state().position.topRows(points),
+          state().velocity.topRows(points)};
+}
+
+State Run::wall_state() const {
+  const Eigen::Index points = simulation_.field().wall_points;
+  return {state().time, state().step, state().position.bottomRows(points),
+          state().velocity.bottomRows(points)};
 }
 
 void Run::settle() {

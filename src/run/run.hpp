@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,22 +28,25 @@ class Run {
 
   /// Goes on to the first step at or after the next output time, or to the end if that comes first,
   /// or to where `stop`, asked every 64 steps, says true. The output times do not touch the motion.
-  /// With the integrator newton there is no motion: the first call goes to the static solution,
+  /// Where the answer is static there is no motion: the first call goes to the static solution,
   /// which is the end.
   /// @throw RunFailure when the energy balance breaks.
   void advance(const std::function<bool()>& stop = {});
 
   bool finished() const { return finished_; }
   const Lattice& lattice() const { return lattice_; }
+  /// Of an elastic wall; nullptr when the scene has none.
+  const Lattice* wall_lattice() const { return wall_lattice_ ? &*wall_lattice_ : nullptr; }
   const Simulation& simulation() const { return simulation_; }
+  /// Of all points: the disk's and, after them, those of an elastic wall.
   const State& state() const { return simulation_.state(); }
+  State disk_state() const;
+  State wall_state() const;
   /// The method in use: verlet or newton.
-  const char* integrator() const {
-    return scene_.numerics.integrator == IntegratorKind::kNewton ? "newton" : "verlet";
-  }
+  const char* integrator() const { return scene_.is_static() ? "newton" : "verlet"; }
   double expected_time() const { return expected_time_; }
 
-  ContactReport take_contact_report() { return recorder_.take(simulation_); }
+  ContactReports take_contact_reports() { return recorder_.take(simulation_); }
 
   /// See EnergyMonitor; looked at every 64 steps and at the end.
   double energy_error() const { return monitor_.error(); }
@@ -64,6 +68,7 @@ class Run {
   double expected_time_;
   std::unique_ptr<EndOfRun> end_;
   Lattice lattice_;
+  std::optional<Lattice> wall_lattice_;
   Simulation simulation_;
   EnergyMonitor monitor_;
   ContactRecorder recorder_;

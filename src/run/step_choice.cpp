@@ -16,10 +16,14 @@ constexpr double kAccuracyFactor = 0.5;
 constexpr double kStabilityFactor = 0.9;
 constexpr double kLargestStep = 0.02;  // R/c
 
-double automatic_step(const Scene& scene, const Spectrum& spectrum, const PotentialWall& wall,
+/// Two points that push each other apart move against each other like one of half the mass.
+constexpr double kBothEndsMove = 2.0;
+
+double automatic_step(const Scene& scene, const Spectrum& spectrum, const WallContact& wall,
                       int points, double sound_speed) {
+  const double ends = scene.wall.kind == WallKind::kLattice ? kBothEndsMove : 1.0;
   const double stiffness = wall.stiffness(largest_point_force(scene, points, sound_speed));
-  const double omega_squared = spectrum.omega_squared + stiffness * points;
+  const double omega_squared = spectrum.omega_squared + ends * stiffness * points;
   const double step = std::min(kAccuracyFactor * 2.0 / std::sqrt(omega_squared),
                                kStabilityFactor * verlet_step_limit(omega_squared, spectrum.gamma));
   return round_down_to_125(std::min(step, kLargestStep));
@@ -44,11 +48,16 @@ double largest_point_force(const Scene& scene, int points, double sound_speed) {
   return std::max(share, stopping_one_point);
 }
 
-double choose_step(const Scene& scene, const Spectrum& spectrum, const PotentialWall& wall,
-                   int points, double sound_speed) {
-  if (!scene.numerics.step) {
-    return automatic_step(scene, spectrum, wall, points, sound_speed);
-  }
+namespace {
+
+/// The longest step, not above `step`, that divides the interval between resets.
+double dividing_resets(const Scene& scene, double step) {
+  if (scene.wall.kind != WallKind::kLattice || scene.wall.boundary != Boundary::kReset) return step;
+  constexpr double kRounding = 1e-9;
+  return scene.wall.reset_interval / std::ceil(scene.wall.reset_interval / step - kRounding);
+}
+
+double given_step(const Scene& scene, const Spectrum& spectrum) {
   const double limit = verlet_step_limit(spectrum.omega_squared, spectrum.gamma);
   if (*scene.numerics.step > limit) {
     throw InputError(fmt::format(
@@ -57,6 +66,15 @@ double choose_step(const Scene& scene, const Spectrum& spectrum, const Potential
         *scene.numerics.step, limit));
   }
   return *scene.numerics.step;
+}
+
+}  // namespace
+
+double choose_step(const Scene& scene, const Spectrum& spectrum, const WallContact& wall,
+                   int points, double sound_speed) {
+  return dividing_resets(scene, scene.numerics.step
+                                    ? given_step(scene, spectrum)
+                                    : automatic_step(scene, spectrum, wall, points, sound_speed));
 }
 
 double round_down_to_125(double value) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mechanics/potential_wall.hpp"
 #include "mechanics/spectrum.hpp"
+#include "mechanics/wall_contact.hpp"
 #include "scene/scene.hpp"
 
 namespace impact {
@@ -20,9 +20,11 @@ double largest_point_force(const Scene& scene, int points, double sound_speed);
 /// the wall at its expected stiffest counted, and at most 0.02 R/c; rounded down to 1, 2 or 5 times
 /// a power of ten, so that the usual output periods are its multiples. The factor 1/2 is for
 /// accuracy: there the restitution of the default impact is good to better than 10⁻⁴.
+///
+/// Where velocities are reset at intervals, the step, given or not, is shortened to divide them.
 /// @throw InputError when the given step exceeds the stability limit of the lattice and its
 /// damping.
-double choose_step(const Scene& scene, const Spectrum& spectrum, const PotentialWall& wall,
+double choose_step(const Scene& scene, const Spectrum& spectrum, const WallContact& wall,
                    int points, double sound_speed);
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `value`.

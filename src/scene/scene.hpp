@@ -5,21 +5,33 @@
 #include <string>
 
 #include "lattice/placement.hpp"
+#include "mechanics/elastic_wall.hpp"
 
 namespace impact {
 
 /// What is simulated.
 enum class SceneKind {
-  kContact,   ///< the disk is pressed on the wall and comes to rest
-  kCollision  ///< the disk is thrown at the wall
+  kContact,    ///< the disk is pressed on the wall and comes to rest
+  kCollision,  ///< the disk is thrown at the wall
+  kStretch     ///< a rectangle of the disk's recipe is pulled: elastic constants
 };
 
-enum class WallKind { kPotential };
+enum class WallKind {
+  kPotential,  ///< V₀ exp(−a y), §3 and §4 of the paper
+  kLattice     ///< an elastic lattice, §5 of the paper
+};
+
+/// What happens to waves at the left, right and bottom side of an elastic wall.
+enum class Boundary {
+  kReset,   ///< velocities are set to zero at intervals
+  kFixed,   ///< points are clamped
+  kViscous  ///< dashpots matched to the lattice
+};
 
 enum class IntegratorKind {
   kAuto,
   kVerlet,
-  kNewton  ///< no motion: a static solution, in a contact scene
+  kNewton  ///< no motion: a static solution
 };
 
 /// The numbers of a whole simulation. Units: lengths in the disk's radius R, speeds in c, masses
@@ -42,7 +54,15 @@ struct Scene {
   struct Wall {
     WallKind kind = WallKind::kPotential;
     double a = 300.0;
-    std::optional<double> v0;  ///< empty: a R m c², with m = M/N
+    std::optional<double> v0;  ///< empty: a R m c², half of it for an elastic wall, with m = M/N
+    int points = 1269;
+    std::optional<double> width;   ///< empty: by the disk's number density
+    std::optional<double> height;  ///< empty: by the disk's number density
+    double threshold = 0.2;
+    GapMeasure gap = GapMeasure::kNormal;
+    Boundary boundary = Boundary::kReset;
+    double reset_interval = 4.0e-3;
+    std::string file;  ///< a LAMMPS data file that replaces points, width and height; empty: none
   } wall;
 
   struct Load {
@@ -55,6 +75,12 @@ struct Scene {
     std::optional<double> gap;  ///< empty: as near as `error` allows
   } impact;
 
+  struct Stretch {
+    double width = 4.0;
+    double height = 2.0;
+    double strain = 1.0e-3;
+  } stretch;
+
   struct Numerics {
     IntegratorKind integrator = IntegratorKind::kAuto;
     std::optional<double> step;  ///< empty: from the stability bound
@@ -64,6 +90,11 @@ struct Scene {
   struct Output {
     double period = 0.02;
   } output;
+
+  /// Whether the answer is a static solution, found without motion.
+  bool is_static() const {
+    return kind == SceneKind::kStretch || numerics.integrator == IntegratorKind::kNewton;
+  }
 };
 
 }  // namespace impact

@@ -6,110 +6,217 @@ namespace impact {
 namespace {
 
 using P = Parameter<Scene>;
+using Table = std::vector<P>;
+using Condition = std::function<bool(const Scene&)>;
 
-P only_in(SceneKind kind, P parameter) {
-  parameter.applies = [kind](const Scene& scene) { return scene.kind == kind; };
+P only(const Condition& condition, P parameter) {
+  parameter.applies = condition;
   return parameter;
 }
 
-std::vector<P> make_table() {
-  std::vector<P> table;
-  table.push_back(choice<Scene, SceneKind>(
-      "scene", {{"contact", SceneKind::kContact}, {"collision", SceneKind::kCollision}},
-      "what is simulated: the disk pressed on the wall, or thrown at it",
-      [](Scene & s) -> auto& { return s.kind; }));
-  table.push_back(whole<Scene>(
-      "seed", 0, std::numeric_limits<std::int64_t>::max(),
-      "of all randomness: placement and orientation", [](Scene & s) -> auto& { return s.seed; }));
+Condition in(SceneKind kind) {
+  return [kind](const Scene& scene) { return scene.kind == kind; };
+}
 
-  table.push_back(whole<Scene>(
-      "disk.points", 3, 1000000, "number N of mass points, rim included",
-      [](Scene & s) -> auto& { return s.disk.recipe.points; }));
-  table.push_back(choice<Scene, Placement>(
-      "disk.placement", {{"uniform", Placement::kUniform}, {"blue_noise", Placement::kBlueNoise}},
-      "independent uniform points, or no two closer than 0.6 √(π/N) R",
-      [](Scene & s) -> auto& { return s.disk.recipe.placement; }));
-  table.push_back(flag<Scene>(
-      "disk.rim", "⌊2π/√(π/N)⌋ of the points evenly on the circle",
-      [](Scene & s) -> auto& { return s.disk.recipe.rim; }));
-  table.push_back(text<Scene>(
-      "disk.file", "LAMMPS data file of a lattice that replaces points, placement and rim",
-      [](Scene & s) -> auto& { return s.disk.file; }));
+bool is_moved(const Scene& scene) { return scene.kind != SceneKind::kStretch; }
 
-  table.push_back(real<Scene>(
-      "material.k_a", "M c²/R²", {0.0, 1e6, false}, "linear stiffness of a bond",
-      [](Scene & s) -> auto& { return s.material.k_a; }));
-  table.push_back(real<Scene>(
-      "material.k_b", "M c²/R⁴", {0.0, 1e12}, "cubic stiffness of a bond",
-      [](Scene & s) -> auto& { return s.material.k_b; }));
-  table.push_back(real<Scene>(
-      "material.eta", "(M/N) c/R", {0.0, 1e6},
-      "viscosity η* of a bond; above 0 where a contact is to come to rest by motion",
-      [](Scene & s) -> auto& { return s.material.eta; }));
+bool has_elastic_wall(const Scene& scene) {
+  return is_moved(scene) && scene.wall.kind == WallKind::kLattice;
+}
 
-  table.push_back(choice<Scene, WallKind>(
-      "wall.type", {{"potential", WallKind::kPotential}}, "the wall V₀ exp(−a y) below the disk",
-      [](Scene & s) -> auto& { return s.wall.kind; }));
-  table.push_back(real<Scene>(
-      "wall.a", "1/R", {1.0, 1e6}, "inverse range of the wall",
-      [](Scene & s) -> auto& { return s.wall.a; }));
-  table.push_back(real_or_auto<Scene>(
-      "wall.V0", "M c²", {0.0, 1e6, false}, "energy of the wall; auto: a R (M/N) c²",
-      [](Scene & s) -> auto& { return s.wall.v0; }));
+Table scene_keys() {
+  return {
+      choice<Scene, SceneKind>(
+          "scene",
+          {{"contact", SceneKind::kContact},
+           {"collision", SceneKind::kCollision},
+           {"stretch", SceneKind::kStretch}},
+          "what is simulated: the disk pressed on the wall or thrown at it, or a rectangle of its "
+          "recipe pulled",
+          [](auto& s) -> auto& { return s.kind; }),
+      whole<Scene>(
+          "seed", 0, std::numeric_limits<std::int64_t>::max(),
+          "of all randomness: placement and orientation", [](auto& s) -> auto& { return s.seed; })};
+}
 
-  table.push_back(
-      only_in(SceneKind::kContact, real<Scene>(
-                                       "load.P", "M c²/R", {0.0, 1.0, false},
-                                       "contact: compression, spread evenly over the points",
-                                       [](Scene & s) -> auto& { return s.load.p; })));
-  table.push_back(only_in(
-      SceneKind::kContact,
-      flag<Scene>(
-          "load.hold_rotation", "contact: hold the rigid rotation by a torque; false: it may roll",
-          [](Scene & s) -> auto& { return s.load.hold_rotation; })));
+Table disk_keys() {
+  return {
+      whole<Scene>(
+          "disk.points", 3, 1000000,
+          "number N of mass points, rim included; sets the density of a stretched "
+          "rectangle and of an elastic wall",
+          [](auto& s) -> auto& { return s.disk.recipe.points; }),
+      choice<Scene, Placement>(
+          "disk.placement",
+          {{"uniform", Placement::kUniform}, {"blue_noise", Placement::kBlueNoise}},
+          "independent uniform points, or no two closer than 0.6 √(π/N) R",
+          [](auto& s) -> auto& { return s.disk.recipe.placement; }),
+      only(is_moved, flag<Scene>(
+                         "disk.rim", "⌊2π/√(π/N)⌋ of the points evenly on the circle",
+                         [](auto& s) -> auto& { return s.disk.recipe.rim; })),
+      only(is_moved,
+           text<Scene>(
+               "disk.file", "LAMMPS data file of a lattice that replaces points, placement and rim",
+               [](auto& s) -> auto& { return s.disk.file; }))};
+}
 
-  table.push_back(
-      only_in(SceneKind::kCollision, real<Scene>(
-                                         "impact.velocity", "c", {0.0, 1.0, false},
-                                         "collision: speed towards the wall at the start",
-                                         [](Scene & s) -> auto& { return s.impact.velocity; })));
-  table.push_back(
-      only_in(SceneKind::kCollision,
-              real_or_auto<Scene>(
-                  "impact.gap", "R", {-1.0, 100.0},
-                  "collision: height of the lowest point at the start; auto: where the wall's "
-                  "energy is error/100 of the kinetic energy",
-                  [](Scene & s) -> auto& { return s.impact.gap; })));
+Table material_keys() {
+  return {real<Scene>(
+              "material.k_a", "M c²/R²", {0.0, 1e6, false}, "linear stiffness of a bond",
+              [](auto& s) -> auto& { return s.material.k_a; }),
+          real<Scene>(
+              "material.k_b", "M c²/R⁴", {0.0, 1e12}, "cubic stiffness of a bond",
+              [](auto& s) -> auto& { return s.material.k_b; }),
+          only(is_moved, real<Scene>(
+                             "material.eta", "(M/N) c/R", {0.0, 1e6},
+                             "viscosity η* of a bond; above 0 where a contact is to come "
+                             "to rest by motion",
+                             [](auto& s) -> auto& { return s.material.eta; }))};
+}
 
-  table.push_back(choice<Scene, IntegratorKind>(
-      "numerics.integrator",
-      {{"auto", IntegratorKind::kAuto},
-       {"verlet", IntegratorKind::kVerlet},
-       {"newton", IntegratorKind::kNewton}},
-      "method; auto: velocity Verlet; newton: the static solution of a contact, without motion",
-      [](Scene & s) -> auto& { return s.numerics.integrator; }));
-  table.push_back(real_or_auto<Scene>(
-      "numerics.step", "R/c", {0.0, 10.0, false},
-      "largest step; auto: from the stability bound; shortened to divide the output period",
-      [](Scene & s) -> auto& { return s.numerics.step; }));
-  table.push_back(real<Scene>(
-      "numerics.error", "-", {1e-10, 1e-2},
-      "wanted relative error of the answer: sets the gap, the rest "
-      "criterion and the end of a collision",
-      [](Scene & s) -> auto& { return s.numerics.error; }));
+Table wall_keys() {
+  return {
+      only(is_moved,
+           choice<Scene, WallKind>(
+               "wall.type", {{"potential", WallKind::kPotential}, {"lattice", WallKind::kLattice}},
+               "the wall V₀ exp(−a y) below the disk or, in a collision, an elastic lattice",
+               [](auto& s) -> auto& { return s.wall.kind; })),
+      only(is_moved, real<Scene>(
+                         "wall.a", "1/R", {1.0, 1e6}, "inverse range of the wall's repulsion",
+                         [](auto& s) -> auto& { return s.wall.a; })),
+      only(is_moved, real_or_auto<Scene>(
+                         "wall.V0", "M c²", {0.0, 1e6, false},
+                         "energy of the repulsion; auto: a R (M/N) c², half "
+                         "of it for an elastic wall",
+                         [](auto& s) -> auto& { return s.wall.v0; }))};
+}
 
-  table.push_back(real<Scene>(
-      "output.period", "R/c", {1e-6, 1e6}, "time between published states",
-      [](Scene & s) -> auto& { return s.output.period; }));
+Table elastic_wall_keys() {
+  Table table{
+      whole<Scene>(
+          "wall.points", 3, 1000000, "elastic wall: number of mass points",
+          [](auto& s) -> auto& { return s.wall.points; }),
+      real_or_auto<Scene>(
+          "wall.width", "R", {0.1, 1000.0},
+          "elastic wall: width; auto: by the disk's number density, and twice the "
+          "height where that is auto too",
+          [](auto& s) -> auto& { return s.wall.width; }),
+      real_or_auto<Scene>(
+          "wall.height", "R", {0.1, 1000.0},
+          "elastic wall: height; auto: by the disk's number density",
+          [](auto& s) -> auto& { return s.wall.height; }),
+      real<Scene>(
+          "wall.threshold", "R", {0.0, 10.0, false},
+          "elastic wall: gap below which a point of the disk feels the surface bond below",
+          [](auto& s) -> auto& { return s.wall.threshold; }),
+      choice<Scene, GapMeasure>(
+          "wall.gap_measure",
+          {{"normal", GapMeasure::kNormal}, {"vertical", GapMeasure::kVertical}},
+          "elastic wall: gap perpendicular to the bond, or along y: continuous from bond to bond",
+          [](auto& s) -> auto& { return s.wall.gap; }),
+      choice<Scene, Boundary>(
+          "wall.boundary",
+          {{"reset", Boundary::kReset},
+           {"fixed", Boundary::kFixed},
+           {"viscous", Boundary::kViscous}},
+          "elastic wall, left, right and bottom side: velocities set to zero at intervals, points "
+          "clamped, or dashpots that absorb waves",
+          [](auto& s) -> auto& { return s.wall.boundary; }),
+      real<Scene>(
+          "wall.reset_interval", "R/c", {0.0, 1000.0, false},
+          "elastic wall, boundary reset: time between resets; the step is shortened to divide it",
+          [](auto& s) -> auto& { return s.wall.reset_interval; }),
+      text<Scene>(
+          "wall.file",
+          "LAMMPS data file of a wall that replaces points, width and height: a rectangle "
+          "with points along its sides",
+          [](auto& s) -> auto& { return s.wall.file; })};
+  for (P& parameter : table) parameter.applies = has_elastic_wall;
+  return table;
+}
+
+Table task_keys() {
+  return {only(in(SceneKind::kContact), real<Scene>(
+                                            "load.P", "M c²/R", {0.0, 1.0, false},
+                                            "contact: compression, spread evenly over the points",
+                                            [](auto& s) -> auto& { return s.load.p; })),
+          only(in(SceneKind::kContact),
+               flag<Scene>(
+                   "load.hold_rotation",
+                   "contact: hold the rigid rotation by a torque; false: it may roll",
+                   [](auto& s) -> auto& { return s.load.hold_rotation; })),
+          only(in(SceneKind::kCollision), real<Scene>(
+                                              "impact.velocity", "c", {0.0, 1.0, false},
+                                              "collision: speed towards the wall at the start",
+                                              [](auto& s) -> auto& { return s.impact.velocity; })),
+          only(in(SceneKind::kCollision),
+               real_or_auto<Scene>(
+                   "impact.gap", "R", {-1.0, 100.0},
+                   "collision: height of the lowest point at the start; auto: where the wall's "
+                   "energy is error/100 of the kinetic energy",
+                   [](auto& s) -> auto& { return s.impact.gap; })),
+          only(in(SceneKind::kStretch),
+               real<Scene>(
+                   "stretch.width", "R", {0.1, 1000.0}, "stretch: of the rectangle",
+                   [](auto& s) -> auto& { return s.stretch.width; })),
+          only(in(SceneKind::kStretch),
+               real<Scene>(
+                   "stretch.height", "R", {0.1, 1000.0}, "stretch: of the rectangle",
+                   [](auto& s) -> auto& { return s.stretch.height; })),
+          only(in(SceneKind::kStretch),
+               real<Scene>(
+                   "stretch.strain", "-", {-0.1, 0.1},
+                   "stretch: how much the grips draw its ends apart, over the width; not 0",
+                   [](auto& s) -> auto& { return s.stretch.strain; }))};
+}
+
+Table numerics_keys() {
+  return {choice<Scene, IntegratorKind>(
+              "numerics.integrator",
+              {{"auto", IntegratorKind::kAuto},
+               {"verlet", IntegratorKind::kVerlet},
+               {"newton", IntegratorKind::kNewton}},
+              "method; auto: velocity Verlet, newton in a stretch; newton: the static solution of "
+              "a contact or stretch, without motion",
+              [](auto& s) -> auto& { return s.numerics.integrator; }),
+          only(is_moved, real_or_auto<Scene>(
+                             "numerics.step", "R/c", {0.0, 10.0, false},
+                             "step; auto: from the stability bound",
+                             [](auto& s) -> auto& { return s.numerics.step; })),
+          real<Scene>(
+              "numerics.error", "-", {1e-10, 1e-2},
+              "wanted relative error of the answer: sets the gap, the rest "
+              "criterion and the end of a collision",
+              [](auto& s) -> auto& { return s.numerics.error; }),
+          only(is_moved, real<Scene>(
+                             "output.period", "R/c", {1e-6, 1e6}, "time between published states",
+                             [](auto& s) -> auto& { return s.output.period; }))};
+}
+
+Table make_table() {
+  Table table;
+  for (const auto& part : {scene_keys(), disk_keys(), material_keys(), wall_keys(),
+                           elastic_wall_keys(), task_keys(), numerics_keys()}) {
+    table.insert(table.end(), part.begin(), part.end());
+  }
   return table;
 }
 
 void check_combination(const Scene& scene) {
-  const bool is_static = scene.numerics.integrator == IntegratorKind::kNewton;
-  if (is_static && scene.kind != SceneKind::kContact) {
+  const bool newton = scene.numerics.integrator == IntegratorKind::kNewton;
+  if (newton && scene.kind == SceneKind::kCollision) {
     throw bad_value("numerics.integrator", "newton", "auto or verlet in a scene of motion");
   }
-  if (scene.kind == SceneKind::kContact && !is_static && scene.material.eta == 0.0) {
+  if (scene.kind == SceneKind::kStretch && scene.numerics.integrator == IntegratorKind::kVerlet) {
+    throw bad_value("numerics.integrator", "verlet", "auto or newton in a stretch scene");
+  }
+  if (scene.kind == SceneKind::kStretch && scene.stretch.strain == 0.0) {
+    throw bad_value("stretch.strain", "0", "above or below 0");
+  }
+  if (scene.kind == SceneKind::kContact && scene.wall.kind == WallKind::kLattice) {
+    throw bad_value("wall.type", "lattice", "potential in a contact scene");
+  }
+  if (scene.kind == SceneKind::kContact && !newton && scene.material.eta == 0.0) {
     throw bad_value(
         "material.eta", "0",
         "above 0 in a contact scene, which comes to rest by damping (or integrator newton)");

@@ -76,12 +76,12 @@ class Experiment {
 
  private:
   void take_in() {
-    const ContactReport report = run_.take_contact_report();
-    analysis_.add(run_.state());
+    const ContactReport report = run_.take_contact_reports().on_disk;
+    const State state = run_.disk_state();
+    analysis_.add(state);
     analysis_.add(report);
     if (!history_.empty()) {
-      history_ +=
-          history_line(run_, strain_meter_.measure(run_.state().position), report.total.y());
+      history_ += history_line(run_, strain_meter_.measure(state.position), report.total.y());
     }
   }
 

@@ -52,7 +52,7 @@ std::vector<Message> messages_of(const Scene& scene, std::uint32_t number) {
   std::uint32_t sequence = 0;
   const auto send = [&] {
     lattice_impact::ParticleStates states = to_message(run.state());
-    lattice_impact::ContactForces forces = to_message(run.take_contact_report());
+    lattice_impact::ContactForces forces = to_message(run.take_contact_reports().on_disk);
     states.run = forces.run = number;
     states.sequence = forces.sequence = sequence++;
     messages.emplace_back(states);

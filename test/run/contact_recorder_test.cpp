@@ -26,10 +26,10 @@ TEST(ContactRecorder, ReportsSumUpToTheWholeCourse) {
     simulation.step();
     recorder.add_step(simulation);
     if (k % 7 != 0 && k != 600) continue;
-    const ContactReport report = recorder.take(simulation);
+    const ContactReport report = recorder.take(simulation).on_disk;
     EXPECT_EQ(report.step, simulation.state().step);
     EXPECT_EQ(report.total.y(), simulation.field().wall->total_force().y());
-    for (const ContactReport::PointForce& point : report.points) {
+    for (const PointForce& point : report.points) {
       EXPECT_GE(point.force.y(), kContactForce);
     }
     impulse += report.impulse;

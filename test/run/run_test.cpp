@@ -14,11 +14,11 @@ namespace {
 Restitution finish(Run& run) {
   ImpactAnalysis analysis;
   analysis.add(run.state());
-  analysis.add(run.take_contact_report());
+  analysis.add(run.take_contact_reports().on_disk);
   while (!run.finished()) {
     run.advance();
     analysis.add(run.state());
-    analysis.add(run.take_contact_report());
+    analysis.add(run.take_contact_reports().on_disk);
   }
   return analysis.restitution(run.flags().empty());
 }

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "lattice/lattice.hpp"
+#include "lattice/rectangle_sides.hpp"
+#include "mechanics/force_field.hpp"
+#include "scene/scene.hpp"
+
+namespace impact {
+
+/// The lattice of an elastic wall: its top side at y = 0, its middle at x = 0.
+struct ElasticWallBody {
+  Lattice lattice;
+  RectangleSides sides;
+};
+
+/// The wall of the scene: from its file, or placed by the disk's recipe, with a rim, in a rectangle
+/// of the disk's number density unless width and height say otherwise. Its randomness is drawn from
+/// the scene's seed, apart from the disk's.
+/// @throw InputError when the file cannot be used, or the wall has too few points for its sides.
+ElasticWallBody elastic_wall_body(const Scene& scene, Eigen::Index disk_points);
+
+/// Adds to the field the contact of the disk with the wall and what happens at the wall's left,
+/// right and bottom side. `position` holds the disk's points and, after them, the wall's.
+void add_elastic_wall(const Scene& scene, const ElasticWallBody& wall, const WallContact& law,
+                      const PointArray& position, ForceField& field);
+
+}  // namespace impact
