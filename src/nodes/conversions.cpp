@@ -81,6 +81,10 @@ lattice_impact::EnergyLedger to_message(const EnergyLedger& ledger, double error
   message.wall = ledger.wall;
   message.load = ledger.load;
   message.dissipated = ledger.dissipated;
+  message.wall_lattice = ledger.wall_lattice;
+  message.absorbed = ledger.absorbed;
+  message.hops = ledger.hops;
+  message.hops_size = ledger.hops_size;
   message.total = ledger.total();
   message.error = error;
   return message;

@@ -6,14 +6,20 @@
 
 namespace impact {
 
-DataStreams::DataStreams(Readers& readers)
-    : lattice_(readers.advertise<lattice_impact::Lattice>("lattice", true)),
-      states_(readers.advertise<lattice_impact::ParticleStates>("particle_states")),
-      forces_(readers.advertise<lattice_impact::ContactForces>("contact_forces")),
-      status_(readers.advertise<lattice_impact::RunStatus>("run_status", true)) {}
+DataStreams::Topics::Topics(Readers& readers, const std::string& prefix)
+    : lattice(readers.advertise<lattice_impact::Lattice>(prefix + "lattice", true)),
+      states(readers.advertise<lattice_impact::ParticleStates>(prefix + "particle_states")),
+      forces(readers.advertise<lattice_impact::ContactForces>(prefix + "contact_forces")) {}
 
-bool DataStreams::heard() const {
-  return bag_ || states_.getNumSubscribers() > 0 || forces_.getNumSubscribers() > 0;
+DataStreams::DataStreams(Readers& readers, Readers* wall_readers)
+    : disk_(readers, ""),
+      status_(readers.advertise<lattice_impact::RunStatus>("run_status", true)) {
+  if (wall_readers != nullptr) wall_.emplace(*wall_readers, "wall/");
+}
+
+bool DataStreams::heard(Body body) const {
+  return bag_ || topics(body).states.getNumSubscribers() > 0 ||
+         topics(body).forces.getNumSubscribers() > 0;
 }
 
 void DataStreams::open_bag(const std::string& bag) {
@@ -26,14 +32,23 @@ void DataStreams::open_bag(const std::string& bag) {
 }
 
 template <class Message>
-void DataStreams::send(ros::Publisher& publisher, const Message& message) {
+void DataStreams::send(const ros::Publisher& publisher, const Message& message) {
   if (bag_) bag_->write(publisher.getTopic(), message.header.stamp, message);
   if (publisher.getNumSubscribers() > 0 || publisher.isLatched()) publisher.publish(message);
 }
 
-void DataStreams::send(const lattice_impact::Lattice& message) { send(lattice_, message); }
-void DataStreams::send(const lattice_impact::ParticleStates& message) { send(states_, message); }
-void DataStreams::send(const lattice_impact::ContactForces& message) { send(forces_, message); }
+void DataStreams::send(Body body, const lattice_impact::Lattice& message) {
+  send(topics(body).lattice, message);
+}
+
+void DataStreams::send(Body body, const lattice_impact::ParticleStates& message) {
+  send(topics(body).states, message);
+}
+
+void DataStreams::send(Body body, const lattice_impact::ContactForces& message) {
+  send(topics(body).forces, message);
+}
+
 void DataStreams::send(const lattice_impact::RunStatus& message) { send(status_, message); }
 
 void DataStreams::close() {

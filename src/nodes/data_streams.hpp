@@ -14,33 +14,46 @@
 
 namespace impact {
 
-/// The four topics that carry a run, to subscribers and, if asked for, into a bag.
+/// A part of the scene that has topics of its own.
+enum class Body { kDisk, kWall };
+
+/// The topics that carry a run, to subscribers and, if asked for, into a bag: `run_status`; for the
+/// disk `lattice`, `particle_states` and `contact_forces`; the same below `wall/` for an elastic
+/// wall.
 class DataStreams {
  public:
-  explicit DataStreams(Readers& readers);
+  /// `wall_readers`: nullptr when no run has an elastic wall; then it has no topics.
+  DataStreams(Readers& readers, Readers* wall_readers);
 
   /// From here on everything goes into this file too; empty: none.
   /// @throw InputError when it cannot be opened.
   void open_bag(const std::string& bag);
 
-  /// Somebody takes states and forces: a bag or a subscriber.
-  bool heard() const;
+  /// Somebody takes the body's states and forces: a bag or a subscriber.
+  bool heard(Body body) const;
 
-  void send(const lattice_impact::Lattice& message);
-  void send(const lattice_impact::ParticleStates& message);
-  void send(const lattice_impact::ContactForces& message);
+  void send(Body body, const lattice_impact::Lattice& message);
+  void send(Body body, const lattice_impact::ParticleStates& message);
+  void send(Body body, const lattice_impact::ContactForces& message);
   void send(const lattice_impact::RunStatus& message);
 
   /// Finishes the bag, so that it can be read.
   void close();
 
  private:
-  template <class Message>
-  void send(ros::Publisher& publisher, const Message& message);
+  struct Topics {
+    Topics(Readers& readers, const std::string& prefix);
+    ros::Publisher lattice;
+    ros::Publisher states;
+    ros::Publisher forces;
+  };
 
-  ros::Publisher lattice_;
-  ros::Publisher states_;
-  ros::Publisher forces_;
+  const Topics& topics(Body body) const { return body == Body::kDisk ? disk_ : *wall_; }
+  template <class Message>
+  void send(const ros::Publisher& publisher, const Message& message);
+
+  Topics disk_;
+  std::optional<Topics> wall_;
   ros::Publisher status_;
   std::optional<rosbag::Bag> bag_;
 };

@@ -29,7 +29,7 @@ Parameter<T> node_names(std::string key, std::string meaning, Member member) {
 template <class T>
 Parameter<T> wait_for() {
   return node_names<T>(
-      "wait_for", "those that must have subscribed to every data topic before the start",
+      "wait_for", "those that must have subscribed to every other data topic before the start",
       [](auto& p) -> auto& { return p.wait_for; });
 }
 
@@ -55,6 +55,10 @@ const std::vector<Parameter<SimulationNodeParameters>>& simulation_node_paramete
           "bag", "file to write all messages to, from inside the node; empty: none",
           [](auto& p) -> auto& { return p.bag; }),
       wait_for<P>(),
+      node_names<P>(
+          "wait_for_wall",
+          "those that must have subscribed to every topic of an elastic wall before the start",
+          [](auto& p) -> auto& { return p.wait_for_wall; }),
       node_names<P>(
           "acknowledged_by",
           "those whose acknowledgements pace the run: it stays at most 100 states "

@@ -11,6 +11,7 @@ namespace impact {
 struct SimulationNodeParameters {
   std::string bag;                           ///< empty: none
   std::vector<std::string> wait_for;         ///< names of nodes
+  std::vector<std::string> wait_for_wall;    ///< names of nodes
   std::vector<std::string> acknowledged_by;  ///< names of nodes
   double timeout = 30.0;                     ///< s
   double max_rate = 0.0;                     ///< states/s; 0: none

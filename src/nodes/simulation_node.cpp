@@ -23,7 +23,7 @@ double expected_size(const Scene& scene, const Composition& composition) {
   const double states = composition.expected_time / scene.output.period + 2.0;
   const double samples = scene.output.period / composition.step;
   constexpr double kOverhead = 300.0;
-  return states * (4.0 * 8.0 * static_cast<double>(composition.lattice.points.rows()) +
+  return states * (4.0 * 8.0 * static_cast<double>(composition.initial.position.rows()) +
                    2.0 * 8.0 * samples + kOverhead);
 }
 
@@ -38,6 +38,12 @@ void check_stamps(double seconds_per_time_unit, double period, double longest_ti
         "seconds_per_time_unit", fmt::format("{}", seconds_per_time_unit),
         fmt::format("number in [{:.3g}, {:.3g}] for the stamps of this series", low, high));
   }
+}
+
+bool has_elastic_wall(const std::vector<Scene>& series) {
+  return std::any_of(series.begin(), series.end(), [](const Scene& scene) {
+    return scene.kind == SceneKind::kCollision && scene.wall.kind == WallKind::kLattice;
+  });
 }
 
 double free_space(const std::string& file) {
@@ -57,6 +63,9 @@ void check_series(const SimulationNodeParameters& parameters, const std::vector<
   double longest_time = 0.0;
   for (const Scene& scene : series) {
     if (interrupted()) return;
+    if (scene.kind == SceneKind::kStretch) {
+      throw bad_value("scene", "stretch", "contact or collision in a node; see the program impact");
+    }
     const Composition composition = compose(scene);
     size += expected_size(scene, composition);
     longest_time += Run::kPatience * composition.expected_time;
@@ -76,7 +85,10 @@ SimulationNode::SimulationNode(const SimulationNodeParameters& parameters,
     : parameters_(parameters),
       series_(std::move(series)),
       readers_(node_, parameters.wait_for),
-      streams_(readers_),
+      wall_readers_(has_elastic_wall(series_)
+                        ? std::make_optional<Readers>(node_, parameters.wait_for_wall)
+                        : std::nullopt),
+      streams_(readers_, wall_readers_ ? &*wall_readers_ : nullptr),
       pacing_(node_, parameters.acknowledged_by),
       viewer_(node_) {
   if (parameters.publish_clock) clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 0);
@@ -88,6 +100,7 @@ SimulationNode::SimulationNode(const SimulationNodeParameters& parameters,
 
 bool SimulationNode::run_series() {
   readers_.wait(parameters_.timeout);
+  if (wall_readers_) wall_readers_->wait(parameters_.timeout);
   pacing_.wait_for_links(parameters_.timeout);
   if (!interrupted()) streams_.open_bag(parameters_.bag);
   for (const Scene& scene : series_) {
@@ -128,22 +141,32 @@ void SimulationNode::start(const Scene& scene, const Run& run) {
   status_.integrator = run.integrator();
   status_.terms = run.simulation().field().terms();
 
-  lattice_impact::Lattice lattice = to_message(run.lattice());
-  lattice.header.stamp = stamp(run);
-  lattice.run = status_.run;
-  lattice.name = "disk";
-  lattice.point_mass = run.simulation().field().point_mass;
-  streams_.send(lattice);
+  send_lattice(Body::kDisk, run.lattice(), run);
+  if (run.wall_lattice() != nullptr) send_lattice(Body::kWall, *run.wall_lattice(), run);
+}
+
+void SimulationNode::send_lattice(Body body, const Lattice& lattice, const Run& run) {
+  lattice_impact::Lattice message = to_message(lattice);
+  message.header.stamp = stamp(run);
+  message.run = status_.run;
+  message.name = body == Body::kDisk ? "disk" : "wall";
+  message.point_mass = run.simulation().field().point_mass;
+  streams_.send(body, message);
 }
 
 void SimulationNode::publish_output(Run& run) {
-  const ContactReport report = run.take_contact_report();
-  if (streams_.heard()) send(run.state(), report, stamp(run));
+  const ContactReports reports = run.take_contact_reports();
+  if (streams_.heard(Body::kDisk)) {
+    send(Body::kDisk, run.disk_state(), reports.on_disk, stamp(run));
+  }
+  if (run.wall_lattice() != nullptr && streams_.heard(Body::kWall)) {
+    send(Body::kWall, run.wall_state(), reports.on_wall, stamp(run));
+  }
   ++status_.states;
   if (status_.states % kStatusInterval == 0) {
     publish_status(run, lattice_impact::RunStatus::RUNNING);
   }
-  viewer_.publish(stamp(run), run.lattice(), run.state(), report);
+  viewer_.publish(stamp(run), run, reports.on_disk);
   if (parameters_.publish_clock) {
     rosgraph_msgs::Clock clock;
     clock.clock = stamp(run);
@@ -152,14 +175,15 @@ void SimulationNode::publish_output(Run& run) {
   keep_pace();
 }
 
-void SimulationNode::send(const State& state, const ContactReport& report, const ros::Time& stamp) {
+void SimulationNode::send(Body body, const State& state, const ContactReport& report,
+                          const ros::Time& stamp) {
   lattice_impact::ParticleStates states = to_message(state);
   lattice_impact::ContactForces forces = to_message(report);
   states.header.stamp = forces.header.stamp = stamp;
   states.run = forces.run = status_.run;
   states.sequence = forces.sequence = status_.states;
-  streams_.send(states);
-  streams_.send(forces);
+  streams_.send(body, states);
+  streams_.send(body, forces);
 }
 
 void SimulationNode::publish_status(const Run& run, std::uint8_t phase, const std::string& error) {

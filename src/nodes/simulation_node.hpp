@@ -18,7 +18,8 @@ namespace impact {
 
 /// Composes every run of the series, so that bad input is found before anything runs, and
 /// forecasts the size of its messages.
-/// @throw InputError as compose(), and when the bag would not fit on its disk.
+/// @throw InputError as compose(), for a scene that has no motion to publish, and when the bag
+/// would not fit on its disk.
 void check_series(const SimulationNodeParameters& parameters, const std::vector<Scene>& series);
 
 /// Simulates a series of runs, one after another, and publishes them.
@@ -35,7 +36,8 @@ class SimulationNode {
   void simulate(const Scene& scene);
   void start(const Scene& scene, const Run& run);
   void publish_output(Run& run);
-  void send(const State& state, const ContactReport& report, const ros::Time& stamp);
+  void send_lattice(Body body, const Lattice& lattice, const Run& run);
+  void send(Body body, const State& state, const ContactReport& report, const ros::Time& stamp);
   void publish_status(const Run& run, std::uint8_t phase, const std::string& error = {});
   void keep_pace();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
@@ -45,6 +47,7 @@ class SimulationNode {
   std::vector<Scene> series_;
   ros::NodeHandle node_;
   Readers readers_;
+  std::optional<Readers> wall_readers_;
   DataStreams streams_;
   Pacing pacing_;
   Viewer viewer_;

@@ -102,6 +102,8 @@ class DashpotBuilder {
   std::map<std::int32_t, Eigen::Array2d> coefficients_;
 };
 
+}  // namespace
+
 ViscousBoundary viscous_boundary(const ElasticWallBody& wall, double point_mass, double k_a,
                                  std::int32_t first_row) {
   DashpotBuilder builder(wall.lattice, point_mass, k_a);
@@ -110,8 +112,6 @@ ViscousBoundary viscous_boundary(const ElasticWallBody& wall, double point_mass,
   builder.add_side(wall.sides.bottom, 1);
   return builder.boundary(first_row);
 }
-
-}  // namespace
 
 ElasticWallBody elastic_wall_body(const Scene& scene, Eigen::Index disk_points) {
   if (scene.wall.file.empty()) {

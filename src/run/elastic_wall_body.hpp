@@ -24,4 +24,10 @@ ElasticWallBody elastic_wall_body(const Scene& scene, Eigen::Index disk_points);
 void add_elastic_wall(const Scene& scene, const ElasticWallBody& wall, const WallContact& law,
                       const PointArray& position, ForceField& field);
 
+/// Dashpots on the wall's left, right and bottom side, matched to the waves of the triangular
+/// lattice of its density: ρ c_L and ρ c_T times the length of boundary that belongs to a point,
+/// with ρ c_L² = 1.299 k_a and ρ c_T² = 0.433 k_a. The wall's first point has the row `first_row`.
+ViscousBoundary viscous_boundary(const ElasticWallBody& wall, double point_mass, double k_a,
+                                 std::int32_t first_row);
+
 }  // namespace impact
