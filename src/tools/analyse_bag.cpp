@@ -128,7 +128,7 @@ class Pipeline {
     node["complete"] = restitution.complete != 0;
     node["velocity"] = exact(-restitution.velocity_before);
     add_restitution(restitution, node);
-    add_flags(restitution.flags, node);
+    node["flags"] = flag_list(restitution.flags);
     results_.push_back(node);
   }
 

@@ -1,30 +1,42 @@
 #pragma once
 
+#include <array>
+#include <utility>
+
 #include "scene/parameter_table.hpp"
 
 namespace impact {
 
-/// Adds what an impact did to a result, to the last bit. `Numbers` is impact::Restitution or the
-/// message of that name.
+/// The names in results of what an impact did. `Numbers` is impact::Restitution or the message of
+/// that name.
 template <class Numbers>
-void add_restitution(const Numbers& numbers, YAML::Node& result) {
-  result["restitution"] = exact(numbers.restitution);
-  result["tangential_velocity_after"] = exact(numbers.tangential_velocity_after);
-  result["spin_after"] = exact(numbers.spin_after);
-  result["contact_begin"] = exact(numbers.contact_begin);
-  result["contact_end"] = exact(numbers.contact_end);
-  result["contact_duration"] = exact(numbers.contact_duration);
-  result["peak_force"] = exact(numbers.peak_force);
-  result["impulse"] = exact(numbers.impulse);
+constexpr auto restitution_keys() {
+  using Key = std::pair<const char*, double Numbers::*>;
+  return std::array<Key, 8>{{{"restitution", &Numbers::restitution},
+                             {"tangential_velocity_after", &Numbers::tangential_velocity_after},
+                             {"spin_after", &Numbers::spin_after},
+                             {"contact_begin", &Numbers::contact_begin},
+                             {"contact_end", &Numbers::contact_end},
+                             {"contact_duration", &Numbers::contact_duration},
+                             {"peak_force", &Numbers::peak_force},
+                             {"impulse", &Numbers::impulse}}};
 }
 
-/// Adds a list of flags, on one line.
+/// Adds what an impact did to a result, to the last bit.
+template <class Numbers>
+void add_restitution(const Numbers& numbers, YAML::Node& result) {
+  for (const auto& [key, member] : restitution_keys<Numbers>()) {
+    result[key] = exact(numbers.*member);
+  }
+}
+
+/// A list of flags, on one line.
 template <class Flags>
-void add_flags(const Flags& flags, YAML::Node& result) {
+YAML::Node flag_list(const Flags& flags) {
   YAML::Node list(YAML::NodeType::Sequence);
   list.SetStyle(YAML::EmitterStyle::Flow);
   for (const auto& flag : flags) list.push_back(flag);
-  result["flags"] = list;
+  return list;
 }
 
 }  // namespace impact

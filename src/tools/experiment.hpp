@@ -1,0 +1,58 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "measure/impact_analysis.hpp"
+#include "measure/strain.hpp"
+#include "run/run.hpp"
+#include "scene/parameter_table.hpp"
+
+namespace impact {
+
+/// Simulates and measures one scene.
+class Experiment {
+ public:
+  /// @throw InputError as compose().
+  explicit Experiment(const Scene& scene, bool keep_history = false);
+
+  /// Goes on as Run::advance() and takes in what the measurements need.
+  /// @throw RunFailure as Run::advance().
+  void advance(const std::function<bool()>& stop = {});
+  bool finished() const { return run_.finished(); }
+
+  /// The values of quantities(), in their order.
+  YAML::Node result() const;
+
+  const Scene& scene() const { return scene_; }
+  const Run& run() const { return run_; }
+  Restitution restitution() const;
+  Strain strain() const { return strain_meter_.measure(run_.state().position); }
+  double wall_time() const;  ///< s, since construction
+
+  /// The content of history.csv: strain, wall force and energies at the output times.
+  const std::string& history() const { return history_; }
+
+ private:
+  void take_in();
+
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Scene scene_;
+  Run run_;
+  StrainMeter strain_meter_;
+  ImpactAnalysis analysis_;
+  std::string history_;
+};
+
+/// One entry of a result.
+struct Quantity {
+  std::string key;
+  std::function<YAML::Node(const Experiment&)> value;
+};
+
+/// Everything that the result of such a scene holds, in the order in which it is shown.
+std::vector<Quantity> quantities(const Scene& scene);
+
+}  // namespace impact
