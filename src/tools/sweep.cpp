@@ -1,0 +1,52 @@
+// Many runs of a scene on all processors: a CSV row a run, a table of the main results on stdout.
+
+#include <algorithm>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "scene/scene_parameters.hpp"
+#include "tools/interruption.hpp"
+#include "tools/program.hpp"
+#include "tools/progress_bar.hpp"
+#include "tools/series.hpp"
+#include "tools/summary.hpp"
+#include "tools/sweep_values.hpp"
+
+namespace impact {
+namespace {
+
+void sweep(const std::string& scene_file, const std::vector<std::string>& assignments,
+           const std::string& output, int jobs) {
+  const std::vector<Scene> scenes = parse_sweep(load_keys(scene_file), assignments);
+  take_interruptions();
+  std::vector<Row> rows;
+  {
+    ProgressBar bar(scenes.size());
+    rows = run_series(scenes, output,
+                      {jobs, [&bar](std::size_t done) { bar.show(done); }, interrupted});
+  }
+  fmt::print("{}", summary(rows));
+  const auto failed = std::count_if(rows.begin(), rows.end(), has_failed);
+  if (failed == 0) return;
+  throw std::runtime_error(
+      fmt::format("{} of {} runs failed: see flags in {}", failed, rows.size(), output));
+}
+
+}  // namespace
+}  // namespace impact
+
+int main(int argc, char** argv) {
+  CLI::App app("Simulates a scene for all combinations of values; a row of a CSV file a run.",
+               "sweep");
+  std::string scene_file;
+  std::vector<std::string> assignments;
+  std::string output;
+  int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  app.add_option("scene", scene_file, "scene file, like launch/scenes/collision.yaml")->required();
+  app.add_option("assignments", assignments, "key=v1,v2,... or key=lo:hi:n or key=lo:hi:n:log");
+  app.add_option("--output", output, "CSV file; one of the same command is continued")->required();
+  app.add_option("--jobs", jobs, "threads")->capture_default_str()->check(CLI::Range(1, 1024));
+  return impact::run_tool(app, argc, argv,
+                          [&] { impact::sweep(scene_file, assignments, output, jobs); });
+}

@@ -1,0 +1,116 @@
+#include "tools/sweep_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/split.hpp>
+#include <cmath>
+#include <set>
+
+#include "scene/scene_parameters.hpp"
+
+namespace impact {
+namespace {
+
+constexpr std::size_t kMostScenes = 100'000;
+
+std::vector<std::string> split(const std::string& text, const char* separator) {
+  std::vector<std::string> parts;
+  boost::algorithm::split(parts, text, boost::algorithm::is_any_of(separator));
+  return parts;
+}
+
+bool takes_whole_numbers(const std::string& key) {
+  const auto& table = scene_parameters();
+  return std::any_of(table.begin(), table.end(), [&](const Parameter<Scene>& parameter) {
+    return parameter.key == key && parameter.allowed.rfind("whole number", 0) == 0;
+  });
+}
+
+struct Range {
+  double low;
+  double high;
+  std::int64_t count;
+  bool logarithmic;
+
+  double value(std::int64_t i) const {
+    const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+    return logarithmic ? low * std::pow(high / low, share) : low + share * (high - low);
+  }
+};
+
+Range parse_range(const std::string& key, const std::string& text) {
+  const InputError error =
+      bad_value(key, text, "lo:hi:n or lo:hi:n:log with n values, and above 0 with log");
+  const std::vector<std::string> parts = split(text, ":");
+  if (parts.size() < 3 || parts.size() > 4) throw error;
+  const auto low = scalar<double>(YAML::Node(parts[0]));
+  const auto high = scalar<double>(YAML::Node(parts[1]));
+  const auto count = whole_number(YAML::Node(parts[2]));
+  const bool logarithmic = parts.size() == 4;
+  if (!low || !high || !std::isfinite(*low) || !std::isfinite(*high)) throw error;
+  if (!count || *count < 1 || *count > static_cast<std::int64_t>(kMostScenes)) throw error;
+  if (logarithmic && (parts[3] != "log" || *low <= 0.0 || *high <= 0.0)) throw error;
+  if ((*count == 1) != (*low == *high)) throw error;
+  return {*low, *high, *count, logarithmic};
+}
+
+std::vector<std::string> range_values(const std::string& key, const std::string& text) {
+  const Range range = parse_range(key, text);
+  const bool whole = takes_whole_numbers(key);
+  const std::vector<std::string> ends = split(text, ":");
+  std::vector<std::string> values{ends[0]};
+  for (std::int64_t i = 1; i < range.count - 1; ++i) {
+    values.push_back(whole ? fmt::format("{:.0f}", range.value(i))
+                           : fmt::format("{:.12g}", range.value(i)));
+  }
+  if (range.count > 1) values.push_back(ends[1]);
+  if (std::set<std::string>(values.begin(), values.end()).size() < values.size()) {
+    throw bad_value(key, text, "no value twice");
+  }
+  return values;
+}
+
+std::vector<FlatTree> combine(const std::vector<FlatTree>& trees, const std::string& key,
+                              const std::vector<std::string>& values) {
+  if (trees.size() * values.size() > kMostScenes) {
+    throw InputError(fmt::format("{}: more than {} combinations", key, kMostScenes));
+  }
+  std::vector<FlatTree> combinations;
+  for (const FlatTree& tree : trees) {
+    for (const std::string& value : values) {
+      combinations.push_back(tree);
+      override_key(combinations.back(), fmt::format("{}={}", key, value));
+    }
+  }
+  return combinations;
+}
+
+}  // namespace
+
+std::vector<std::string> sweep_values(const std::string& key, const std::string& text) {
+  if (text.find(':') != std::string::npos) return range_values(key, text);
+  return split(text, ",");
+}
+
+std::vector<Scene> parse_sweep(const FlatTree& keys, const std::vector<std::string>& assignments) {
+  std::vector<FlatTree> combinations{keys};
+  std::set<std::string> swept;
+  for (const std::string& assignment : assignments) {
+    const std::size_t equals = std::min(assignment.find('='), assignment.size());
+    const std::string key = assignment.substr(0, equals);
+    if (!swept.insert(key).second) throw InputError(key + ": given twice");
+    if (equals == 0 || equals == assignment.size()) {
+      throw InputError(assignment + ": allowed: key=values");
+    }
+    combinations = combine(combinations, key, sweep_values(key, assignment.substr(equals + 1)));
+  }
+  std::vector<Scene> scenes;
+  for (const FlatTree& combination : combinations) {
+    for (const Scene& scene : parse_series(combination)) scenes.push_back(scene);
+  }
+  return scenes;
+}
+
+}  // namespace impact

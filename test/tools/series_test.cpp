@@ -1,0 +1,154 @@
+#include "tools/series.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <fstream>
+#include <regex>
+
+#include "expect_input_error.hpp"
+#include "scene/scene_parameters.hpp"
+#include "tools/experiment.hpp"
+
+namespace impact {
+namespace {
+
+constexpr int kRuns = 6;
+
+std::vector<Scene> scenes(const std::string& yaml) {
+  return parse_series(flatten(YAML::Load(yaml)));
+}
+
+/// Runs of unequal length, the longest first, so that threads finish out of order.
+std::vector<Scene> small_scenes() {
+  return scenes(
+      "{scene: collision, disk: {points: 40}, numerics: {step: [0.001, 0.05]}, seed: [1, 2, 3]}");
+}
+
+std::string content(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The only number that may differ between two runs, and stands before the flags.
+std::string without_wall_time(const std::string& csv) {
+  return std::regex_replace(csv, std::regex(",[^,\n]*,([^,\n]*)\n"), ",$1\n");
+}
+
+class RunSeries : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::remove(path_); }
+  std::vector<Row> run(const std::vector<Scene>& scenes, int jobs = 2) const {
+    return run_series(scenes, path_, {jobs});
+  }
+  std::string path_ = testing::TempDir() + "series.csv";
+};
+
+TEST_F(RunSeries, WritesTheSameBytesForAnyNumberOfThreads) {
+  run(small_scenes(), 1);
+  const std::string of_one = content(path_);
+  std::filesystem::remove(path_);
+  run(small_scenes(), 3);
+  EXPECT_EQ(without_wall_time(content(path_)), without_wall_time(of_one));
+  EXPECT_EQ(std::count(of_one.begin(), of_one.end(), '\n'), 1 + kRuns);
+}
+
+TEST_F(RunSeries, GivesTheResultsOfTheSingleExperiments) {
+  const auto rows = run(small_scenes());
+  ASSERT_EQ(rows.size(), kRuns);
+  for (const Row& row : rows) {
+    Experiment experiment(row.scene);
+    while (!experiment.finished()) experiment.advance();
+    EXPECT_EQ(row.results.at("restitution"), experiment.restitution().restitution);
+    EXPECT_EQ(row.results.at("steps"), experiment.run().state().step);
+    EXPECT_TRUE(std::isnan(row.results.at("integrator")));
+    EXPECT_EQ(row.flags.empty(), experiment.run().flags().empty());
+  }
+  EXPECT_EQ(to_yaml(rows[4].scene), to_yaml(small_scenes()[4]));
+}
+
+TEST_F(RunSeries, GoesOnWhereTheFileEnds) {
+  const auto rows = run(small_scenes());
+  const std::string complete = content(path_);
+  for (const std::size_t length : {std::size_t{0}, std::size_t{10}, complete.find('\n') + 1,
+                                   complete.size() / 2, complete.size() - 1, complete.size()}) {
+    std::filesystem::resize_file(path_, length);
+    const std::size_t kept = content(path_).rfind('\n') + 1;
+    const auto again = run(small_scenes());
+    const std::string mended = content(path_);
+    EXPECT_EQ(without_wall_time(mended), without_wall_time(complete)) << length;
+    EXPECT_EQ(mended.substr(0, kept), complete.substr(0, kept)) << length;
+    ASSERT_EQ(again.size(), rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      EXPECT_EQ(again[i].results.at("restitution"), rows[i].results.at("restitution"));
+      EXPECT_EQ(again[i].flags, rows[i].flags);
+    }
+    std::ofstream(path_, std::ios::binary) << complete;
+  }
+}
+
+TEST_F(RunSeries, LeavesAForeignFileAlone) {
+  run(small_scenes());
+  const std::string of_series = content(path_);
+  std::vector<Scene> others = small_scenes();
+  others[2].material.eta = 7.0;
+  const std::vector<Scene> fewer(others.begin(), others.begin() + 2);
+  EXPECT_INPUT_ERROR(run(others), "series.csv:4: material.eta: got 0, this series has 7");
+  EXPECT_INPUT_ERROR(run(fewer), "series.csv:4: this series has 2 runs only");
+  EXPECT_EQ(content(path_), of_series);
+  for (const std::string foreign : {"time,force\n0,1\n", "no table", "\n", "\"\\x\"\n"}) {
+    std::ofstream(path_, std::ios::binary) << foreign;
+    EXPECT_INPUT_ERROR(run(others), "series.csv:1: ");
+    EXPECT_EQ(content(path_), foreign);
+  }
+}
+
+TEST_F(RunSeries, KeepsTheReasonOfARunThatFailed) {
+  SeriesFile file(path_, small_scenes());
+  file.open();
+  file.append(failure("a \"reason\",\nwith \\ in it"));
+  const auto rows = run(small_scenes());
+  EXPECT_TRUE(has_failed(rows[0]));
+  EXPECT_EQ(rows[0].flags, "failed: a \"reason\",\nwith \\ in it");
+  EXPECT_TRUE(std::isnan(rows[0].results.at("restitution")));
+  EXPECT_FALSE(has_failed(rows[1]));
+}
+
+TEST_F(RunSeries, LeavesEmptyWhatASceneDoesNotHave) {
+  const auto rows = run(scenes(
+      "{scene: contact, disk: {points: 40}, numerics: {integrator: newton}, load: {hold_rotation: "
+      "[false, true]}}"));
+  EXPECT_TRUE(std::isnan(rows[0].results.at("hold_torque")));
+  EXPECT_TRUE(std::isfinite(rows[1].results.at("hold_torque")));
+  EXPECT_GT(rows[0].results.at("strain"), 0.0);
+}
+
+TEST_F(RunSeries, CreatesNothingForAFirstSceneThatCannotBeComposed) {
+  EXPECT_INPUT_ERROR(run(scenes("{scene: collision, disk: {file: /nowhere}}")), "disk.file");
+  EXPECT_FALSE(std::filesystem::exists(path_));
+}
+
+TEST_F(RunSeries, StopsAtTheFirstSceneThatCannotBeComposed) {
+  EXPECT_INPUT_ERROR(
+      run(scenes("{scene: collision, disk: {points: 40}, numerics: {step: [auto, 9, auto, 8]}}")),
+      "numerics.step: got 9");
+  const std::string csv = content(path_);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2) << csv;
+}
+
+TEST_F(RunSeries, BreaksOffBetweenRows) {
+  SeriesOptions options;
+  std::atomic<bool> stop{false};
+  options.progress = [&](std::size_t done) { stop = done == 3; };
+  options.stop = [&stop] { return stop.load(); };
+  EXPECT_THROW(run_series(small_scenes(), path_, options), std::runtime_error);
+  const std::string csv = content(path_);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3);
+  EXPECT_EQ(csv.back(), '\n');
+  EXPECT_EQ(run(small_scenes()).size(), kRuns);
+}
+
+}  // namespace
+}  // namespace impact
