@@ -134,7 +134,8 @@ void SeriesFile::read(const std::string& content) {
 
 void SeriesFile::check_half_line(std::size_t line, const std::string& text) const {
   const std::string expected = csv_line(expected_cells(line));
-  if (!begins_with(text, expected) && !begins_with(expected, text)) {
+  const std::size_t length = std::min(text.size(), expected.size());
+  if (text.compare(0, length, expected, 0, length) != 0) {
     throw misfit(line, "is not a line of this series");
   }
 }

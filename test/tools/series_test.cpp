@@ -105,7 +105,7 @@ TEST_F(RunSeries, LeavesAForeignFileAlone) {
   }
 }
 
-TEST_F(RunSeries, KeepsTheReasonOfARunThatFailed) {
+TEST_F(RunSeries, ReadsBackAnyText) {
   SeriesFile file(path_, small_scenes());
   file.open();
   file.append(failure("a \"reason\",\nwith \\ in it"));
@@ -114,6 +114,16 @@ TEST_F(RunSeries, KeepsTheReasonOfARunThatFailed) {
   EXPECT_EQ(rows[0].flags, "failed: a \"reason\",\nwith \\ in it");
   EXPECT_TRUE(std::isnan(rows[0].results.at("restitution")));
   EXPECT_FALSE(has_failed(rows[1]));
+}
+
+/// A disk that starts deep in the wall.
+TEST_F(RunSeries, GoesOnAfterARunThatFailed) {
+  const auto rows =
+      run(scenes("{scene: collision, disk: {points: 40}, impact: {gap: [-1, auto]}}"), 1);
+  EXPECT_TRUE(has_failed(rows[0])) << rows[0].flags;
+  EXPECT_TRUE(std::isnan(rows[0].results.at("restitution")));
+  EXPECT_FALSE(has_failed(rows[1]));
+  EXPECT_GT(rows[1].results.at("restitution"), 0.0);
 }
 
 TEST_F(RunSeries, LeavesEmptyWhatASceneDoesNotHave) {
