@@ -13,7 +13,7 @@ struct SeriesOptions {
   int jobs = 1;  ///< threads
   /// Told at the start, after every run and at least five times a second how many rows there are.
   std::function<void(std::size_t rows)> progress{};
-  /// True when the series is to be broken off. Asked often, and from all threads.
+  /// True, for good, once the series is to be broken off. Asked often, and from all threads.
   std::function<bool()> stop{};
 };
 

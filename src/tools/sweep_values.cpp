@@ -6,6 +6,8 @@
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/split.hpp>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <set>
 
 #include "scene/scene_parameters.hpp"
@@ -13,7 +15,7 @@
 namespace impact {
 namespace {
 
-constexpr std::size_t kMostScenes = 100'000;
+constexpr std::int64_t kMostScenes = 100'000;
 
 std::vector<std::string> split(const std::string& text, const char* separator) {
   std::vector<std::string> parts;
@@ -40,32 +42,33 @@ struct Range {
   }
 };
 
-Range parse_range(const std::string& key, const std::string& text) {
-  const InputError error =
-      bad_value(key, text, "lo:hi:n or lo:hi:n:log with n values, and above 0 with log");
-  const std::vector<std::string> parts = split(text, ":");
-  if (parts.size() < 3 || parts.size() > 4) throw error;
+/// Nothing when the parts do not make a range.
+std::optional<Range> parse_range(const std::vector<std::string>& parts) {
+  if (parts.size() < 3 || parts.size() > 4) return std::nullopt;
   const auto low = scalar<double>(YAML::Node(parts[0]));
   const auto high = scalar<double>(YAML::Node(parts[1]));
   const auto count = whole_number(YAML::Node(parts[2]));
   const bool logarithmic = parts.size() == 4;
-  if (!low || !high || !std::isfinite(*low) || !std::isfinite(*high)) throw error;
-  if (!count || *count < 1 || *count > static_cast<std::int64_t>(kMostScenes)) throw error;
-  if (logarithmic && (parts[3] != "log" || *low <= 0.0 || *high <= 0.0)) throw error;
-  if ((*count == 1) != (*low == *high)) throw error;
-  return {*low, *high, *count, logarithmic};
+  if (!low || !high || !std::isfinite(*low) || !std::isfinite(*high)) return std::nullopt;
+  if (!count || *count < 1 || *count > kMostScenes) return std::nullopt;
+  if (logarithmic && (parts[3] != "log" || *low <= 0.0 || *high <= 0.0)) return std::nullopt;
+  if ((*count == 1) != (*low == *high)) return std::nullopt;
+  return Range{*low, *high, *count, logarithmic};
 }
 
 std::vector<std::string> range_values(const std::string& key, const std::string& text) {
-  const Range range = parse_range(key, text);
-  const bool whole = takes_whole_numbers(key);
-  const std::vector<std::string> ends = split(text, ":");
-  std::vector<std::string> values{ends[0]};
-  for (std::int64_t i = 1; i < range.count - 1; ++i) {
-    values.push_back(whole ? fmt::format("{:.0f}", range.value(i))
-                           : fmt::format("{:.12g}", range.value(i)));
+  const std::vector<std::string> parts = split(text, ":");
+  const std::optional<Range> range = parse_range(parts);
+  if (!range) {
+    throw bad_value(key, text, "lo:hi:n or lo:hi:n:log with n values, and above 0 with log");
   }
-  if (range.count > 1) values.push_back(ends[1]);
+  const bool whole = takes_whole_numbers(key);
+  std::vector<std::string> values{parts[0]};
+  for (std::int64_t i = 1; i < range->count - 1; ++i) {
+    values.push_back(whole ? fmt::format("{:.0f}", range->value(i))
+                           : fmt::format("{:.12g}", range->value(i)));
+  }
+  if (range->count > 1) values.push_back(parts[1]);
   if (std::set<std::string>(values.begin(), values.end()).size() < values.size()) {
     throw bad_value(key, text, "no value twice");
   }
@@ -74,7 +77,7 @@ std::vector<std::string> range_values(const std::string& key, const std::string&
 
 std::vector<FlatTree> combine(const std::vector<FlatTree>& trees, const std::string& key,
                               const std::vector<std::string>& values) {
-  if (trees.size() * values.size() > kMostScenes) {
+  if (trees.size() * values.size() > std::size_t{kMostScenes}) {
     throw InputError(fmt::format("{}: more than {} combinations", key, kMostScenes));
   }
   std::vector<FlatTree> combinations;
