@@ -23,14 +23,16 @@ class SpacingGrid {
         cell_(distance / std::sqrt(2.0)),
         left_(-width / 2.0),
         bottom_(-height / 2.0),
-        columns_(cells(width)),
-        occupant_(columns_ * cells(height), kEmpty) {}
+        columns_(index(width) + 1),
+        rows_(index(height) + 1),
+        occupant_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), kEmpty) {}
 
   bool is_free(const PointArray& points, double x, double y) const {
     const int column = index(x - left_);
     const int row = index(y - bottom_);
-    for (int j = row - kReach; j <= row + kReach; ++j) {
-      for (int i = column - kReach; i <= column + kReach; ++i) {
+    for (int j = std::max(row - kReach, 0); j <= std::min(row + kReach, rows_ - 1); ++j) {
+      for (int i = std::max(column - kReach, 0); i <= std::min(column + kReach, columns_ - 1);
+           ++i) {
         const std::int32_t other = occupant_[at(i, j)];
         if (other == kEmpty) continue;
         if (std::hypot(points(other, 0) - x, points(other, 1) - y) < distance_) return false;
@@ -47,19 +49,18 @@ class SpacingGrid {
   static constexpr int kReach = 2;
   static constexpr std::int32_t kEmpty = -1;
 
-  std::size_t cells(double length) const {
-    return static_cast<std::size_t>(std::ceil(length / cell_) + 1.0 + 2.0 * kReach);
-  }
-  int index(double offset) const { return static_cast<int>(offset / cell_) + kReach; }
+  int index(double offset) const { return static_cast<int>(std::floor(offset / cell_)); }
   std::size_t at(int column, int row) const {
-    return static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column);
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
   }
 
   double distance_;
   double cell_;
   double left_;
   double bottom_;
-  std::size_t columns_;
+  int columns_;
+  int rows_;
   std::vector<std::int32_t> occupant_;
 };
 
@@ -75,6 +76,7 @@ class Disk {
   static constexpr double width() { return 2.0; }
   static constexpr double height() { return 2.0; }
   static constexpr double area() { return M_PI; }
+  static std::vector<Point> images() { return {Point(0.0, 0.0)}; }
 
   static Point random_point(std::mt19937_64& random) {
     const double radius = std::sqrt(unit_random(random));
@@ -102,6 +104,7 @@ class Rectangle {
   double width() const { return width_; }
   double height() const { return height_; }
   double area() const { return width_ * height_; }
+  static std::vector<Point> images() { return {Point(0.0, 0.0)}; }
 
   Point random_point(std::mt19937_64& random) const {
     const double x = width_ * (unit_random(random) - 0.5);
@@ -137,6 +140,26 @@ class Rectangle {
   double height_;
 };
 
+class PeriodicRectangle : public Rectangle {
+ public:
+  using Rectangle::Rectangle;
+
+  std::vector<Point> images() const {
+    std::vector<Point> offsets;
+    for (const double x : {-width(), 0.0, width()}) {
+      for (const double y : {-height(), 0.0, height()}) offsets.emplace_back(x, y);
+    }
+    return offsets;
+  }
+};
+
+bool is_free(const SpacingGrid& grid, const PointArray& points, const Point& point,
+             const std::vector<Point>& images) {
+  return std::all_of(images.begin(), images.end(), [&](const Point& image) {
+    return grid.is_free(points, point.x() + image.x(), point.y() + image.y());
+  });
+}
+
 template <class Region>
 PointArray place(const PlacementRecipe& recipe, const Region& region, std::uint64_t seed) {
   std::mt19937_64 random(seed);
@@ -153,12 +176,13 @@ PointArray place(const PlacementRecipe& recipe, const Region& region, std::uint6
 
   // Discs of diameter 0.6 s around N points cover at most 0.28 of the area, well below the 0.547
   // at which random sequential placement jams, so the loop ends.
+  const std::vector<Point> images = region.images();
   SpacingGrid grid(kBlueNoiseSpacing * spacing, region.width(), region.height());
   for (std::int32_t i = 0; i < on_rim; ++i) grid.add(points, i);
   for (std::int32_t i = on_rim; i < recipe.points; ++i) {
     do {
       points.row(i) = region.random_point(random);
-    } while (!grid.is_free(points, points(i, 0), points(i, 1)));
+    } while (!is_free(grid, points, points.row(i), images));
     grid.add(points, i);
   }
   return points;
@@ -173,6 +197,11 @@ PointArray place_in_disk(const PlacementRecipe& recipe, std::uint64_t seed) {
 PointArray place_in_rectangle(const PlacementRecipe& recipe, double width, double height,
                               std::uint64_t seed) {
   return place(recipe, Rectangle(width, height), seed);
+}
+
+PointArray place_in_periodic_rectangle(int points, Placement placement, double width, double height,
+                                       std::uint64_t seed) {
+  return place({points, placement, false}, PeriodicRectangle(width, height), seed);
 }
 
 }  // namespace impact

@@ -31,4 +31,9 @@ PointArray place_in_disk(const PlacementRecipe& recipe, std::uint64_t seed);
 PointArray place_in_rectangle(const PlacementRecipe& recipe, double width, double height,
                               std::uint64_t seed);
 
+/// N points without a rim in the same rectangle repeated periodically in x and y: distances are
+/// those to the nearest image, s = √(width·height/N). The same seed gives the same points.
+PointArray place_in_periodic_rectangle(int points, Placement placement, double width, double height,
+                                       std::uint64_t seed);
+
 }  // namespace impact

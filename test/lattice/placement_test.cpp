@@ -142,5 +142,31 @@ TEST(PlacementInARectangle, RefusesARimThatNeedsMorePoints) {
   EXPECT_EQ(place_in_rectangle({16, Placement::kUniform, true}, 4.0, 4.0, 1).rows(), 16);
 }
 
+/// The rectangle of 600 points with its eight images around it.
+TEST(PlacementInAPeriodicRectangle, BlueNoiseKeepsItsDistanceAcrossTheSides) {
+  const int n = 600;
+  const PointArray points =
+      place_in_periodic_rectangle(n, Placement::kBlueNoise, kWidth, kHeight, 5);
+  EXPECT_LE(points.col(0).abs().maxCoeff(), kWidth / 2.0);
+  EXPECT_LE(points.col(1).abs().maxCoeff(), kHeight / 2.0);
+  PointArray tiled(9 * n, 2);
+  for (int image = 0; image < 9; ++image) {
+    tiled.middleRows(n * image, n).col(0) = points.col(0) + kWidth * (image % 3);
+    tiled.middleRows(n * image, n).col(1) = points.col(1) + kHeight * (image / 3);
+  }
+  const double rounding = 1e-14;  // of the images' coordinates
+  EXPECT_GE(shortest_distance(tiled), 0.6 * std::sqrt(kWidth * kHeight / n) - rounding);
+}
+
+TEST(PlacementInAPeriodicRectangle, DependsOnTheSeedAlone) {
+  for (const Placement placement : {Placement::kUniform, Placement::kBlueNoise}) {
+    const auto place = [&](std::uint64_t seed) {
+      return place_in_periodic_rectangle(100, placement, kWidth, kHeight, seed);
+    };
+    EXPECT_TRUE((place(3) == place(3)).all());
+    EXPECT_FALSE((place(3) == place(4)).all());
+  }
+}
+
 }  // namespace
 }  // namespace impact
