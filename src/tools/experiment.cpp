@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "tools/restitution_yaml.hpp"
@@ -12,13 +13,14 @@ namespace {
 
 constexpr const char* kHistoryHeader =
     "time [R/c],strain [R],force [M c^2/R],kinetic [M c^2],bonds [M c^2],wall [M c^2],"
-    "load [M c^2],dissipated [M c^2]\n";
+    "load [M c^2],dissipated [M c^2],wall lattice [M c^2],absorbed [M c^2],hops [M c^2]\n";
 
 /// The line of the present state in history.csv.
 std::string history_line(const Run& run, const Strain& strain, double force) {
   const EnergyLedger ledger = run.simulation().ledger();
-  return fmt::format("{},{},{},{},{},{},{},{}\n", run.state().time, strain.strain(), force,
-                     ledger.kinetic(), ledger.bonds, ledger.wall, ledger.load, ledger.dissipated);
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", run.state().time, strain.strain(), force,
+                     ledger.kinetic(), ledger.bonds, ledger.wall, ledger.load, ledger.dissipated,
+                     ledger.wall_lattice, ledger.absorbed, ledger.hops);
 }
 
 /// A quantity that is a real number.
@@ -27,7 +29,13 @@ Quantity number(std::string key, Number value) {
   return {std::move(key), [value](const Experiment& e) { return exact(value(e)); }};
 }
 
-std::vector<Quantity> impact_quantities() {
+/// A term of the energy ledger at the end.
+Quantity energy(std::string key, double EnergyLedger::*term) {
+  return number(std::move(key),
+                [term](const auto& e) { return e.run().simulation().ledger().*term; });
+}
+
+std::vector<Quantity> impact_quantities(const Scene& scene) {
   std::vector<Quantity> list;
   list.push_back(number("velocity", [](const auto& e) { return e.scene().impact.velocity; }));
   for (const auto& [key, member] : restitution_keys<Restitution>()) {
@@ -36,6 +44,12 @@ std::vector<Quantity> impact_quantities() {
   }
   list.push_back(
       number("restitution_bound", [](const auto& e) { return e.run().restitution_bound(); }));
+  if (scene.material.eta != 0.0) list.push_back(energy("dissipated", &EnergyLedger::dissipated));
+  if (scene.wall.kind == WallKind::kLattice) {
+    list.push_back(energy("wall_energy", &EnergyLedger::wall_lattice));
+    list.push_back(energy("absorbed", &EnergyLedger::absorbed));
+    list.push_back(energy("hops", &EnergyLedger::hops_size));
+  }
   return list;
 }
 
@@ -46,13 +60,28 @@ std::vector<Quantity> contact_quantities(const Scene& scene) {
   list.push_back(
       number("strain_from_radius", [](const auto& e) { return e.strain().strain_from_radius(); }));
   list.push_back(number("wall_force", [](const auto& e) {
-    return e.run().simulation().field().wall->total_force();
+    return e.run().simulation().field().wall->total_force().y();
   }));
   list.push_back(number("rotation", [](const auto& e) { return e.strain().rotation; }));
   if (scene.load.hold_rotation) {
     list.push_back(number(
         "hold_torque", [](const auto& e) { return e.run().simulation().field().hold->torque(); }));
   }
+  list.push_back(number("largest_static_force",
+                        [](const auto& e) { return e.run().simulation().largest_static_force(); }));
+  return list;
+}
+
+std::vector<Quantity> stretch_quantities() {
+  std::vector<Quantity> list;
+  list.push_back(
+      number("young_modulus", [](const auto& e) { return e.elastic_constants().young_modulus; }));
+  list.push_back(
+      number("poisson_ratio", [](const auto& e) { return e.elastic_constants().poisson_ratio; }));
+  list.push_back(number("sound_speed", [](const auto& e) {
+    return std::sqrt(M_PI * e.elastic_constants().young_modulus);
+  }));
+  list.push_back(number("grip_modulus", [](const auto& e) { return e.grip_modulus(); }));
   list.push_back(number("largest_static_force",
                         [](const auto& e) { return e.run().simulation().largest_static_force(); }));
   return list;
@@ -84,8 +113,8 @@ void Experiment::advance(const std::function<bool()>& stop) {
 }
 
 void Experiment::take_in() {
-  const ContactReport report = run_.take_contact_report();
-  analysis_.add(run_.state());
+  const ContactReport report = run_.take_contact_reports().on_disk;
+  analysis_.add(run_.disk_state());
   analysis_.add(report);
   if (!history_.empty()) history_ += history_line(run_, strain(), report.total.y());
 }
@@ -95,6 +124,19 @@ Restitution Experiment::restitution() const {
   const bool separated = std::find(flags.begin(), flags.end(), "not_separated") == flags.end();
   return analysis_.restitution(separated);
 }
+
+ElasticConstants Experiment::elastic_constants() const {
+  const MiddleRegion middle{scene_.stretch.width / 4.0, scene_.stretch.height / 4.0};
+  return stretched_constants(run_.lattice(), run_.state().position, law(), middle);
+}
+
+double Experiment::grip_modulus() const {
+  const MiddleRegion all{scene_.stretch.width / 2.0, scene_.stretch.height / 2.0};
+  const double pull = mean_stress(run_.lattice(), run_.state().position, law(), all)(0, 0);
+  return pull / scene_.stretch.strain;
+}
+
+BondLaw Experiment::law() const { return {scene_.material.k_a, scene_.material.k_b, 0.0}; }
 
 double Experiment::wall_time() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -109,8 +151,18 @@ YAML::Node Experiment::result() const {
 }
 
 std::vector<Quantity> quantities(const Scene& scene) {
-  std::vector<Quantity> list =
-      scene.kind == SceneKind::kCollision ? impact_quantities() : contact_quantities(scene);
+  std::vector<Quantity> list;
+  switch (scene.kind) {
+    case SceneKind::kCollision:
+      list = impact_quantities(scene);
+      break;
+    case SceneKind::kContact:
+      list = contact_quantities(scene);
+      break;
+    case SceneKind::kStretch:
+      list = stretch_quantities();
+      break;
+  }
   for (Quantity& quantity : run_quantities()) list.push_back(std::move(quantity));
   return list;
 }

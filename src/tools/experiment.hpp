@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "measure/elastic_constants.hpp"
 #include "measure/impact_analysis.hpp"
 #include "measure/strain.hpp"
 #include "run/run.hpp"
@@ -29,7 +30,12 @@ class Experiment {
   const Scene& scene() const { return scene_; }
   const Run& run() const { return run_; }
   Restitution restitution() const;
-  Strain strain() const { return strain_meter_.measure(run_.state().position); }
+  Strain strain() const { return strain_meter_.measure(run_.disk_state().position); }
+  /// E and ν of a stretched rectangle, in the middle of it: half its width and half its height.
+  ElasticConstants elastic_constants() const;
+  /// The pull on the grips over the rectangle's height and strain, in M c²/R²: E of the rectangle
+  /// as a whole, with its rim.
+  double grip_modulus() const;
   double wall_time() const;  ///< s, since construction
 
   /// The content of history.csv: strain, wall force and energies at the output times.
@@ -37,6 +43,7 @@ class Experiment {
 
  private:
   void take_in();
+  BondLaw law() const;
 
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Scene scene_;
