@@ -28,6 +28,7 @@ using Table = std::vector<Line>;
 
 std::vector<std::string> main_results(SceneKind kind) {
   if (kind == SceneKind::kCollision) return {"restitution", "contact_duration"};
+  if (kind == SceneKind::kStretch) return {"young_modulus", "poisson_ratio", "sound_speed"};
   return {"strain"};
 }
 
