@@ -14,6 +14,8 @@ class CompressionLoad {
     force.col(1) -= p_ / static_cast<double>(force.rows());
   }
 
+  double p() const { return p_; }  ///< M c²/R
+
   /// P times the height of the centre of mass, in M c².
   double potential_energy(const PointArray& position) const { return p_ * position.col(1).mean(); }
 

@@ -47,6 +47,15 @@ bool Simulation::settle(double tolerance) {
   return search.found;
 }
 
+void Simulation::reload(double p) {
+  const WallContact& wall = *field_.wall;
+  state_.position.col(1) += wall.gap_of_force(p) - wall.gap_of_force(field_.load->p());
+  field_.load.emplace(p);
+  ticks_ = 0;
+  state_.step = 0;
+  state_.time = 0.0;
+}
+
 double Simulation::approach_speed() const {
   const auto upwards = state_.velocity.col(1);
   const Eigen::Index of_wall = field_.wall_points;

@@ -31,6 +31,11 @@ class Simulation {
   /// not known. False when none was found.
   bool settle(double tolerance);
 
+  /// Replaces the load of a scene with a potential wall by this one (M c²/R), moves the body to
+  /// where the wall alone would then carry it, and counts time and steps from 0 again. For a series
+  /// of static equilibria, each found from the one before.
+  void reload(double p);
+
   const State& state() const { return state_; }
   const ForceField& field() const { return field_; }
   double step_size() const { return step_size_; }

@@ -16,6 +16,9 @@
 namespace impact {
 namespace {
 
+/// What an iteration of a static solution counts as, R/c.
+constexpr double kNoMotion = 1.0;
+
 /// E of the triangular lattice, 2/√3 k_a, and the density M/(πR²): close to what random lattices
 /// have (physics: 1.04 … 1.1 k_a).
 double estimated_sound_speed(double k_a) { return std::sqrt(2.0 / std::sqrt(3.0) * k_a * M_PI); }
@@ -82,7 +85,6 @@ Composition compose_stretch(const Scene& scene) {
   initial.position = lattice.points;
   initial.position.col(0) *= 1.0 + scene.stretch.strain;
   initial.velocity = PointArray::Zero(lattice.points.rows(), 2);
-  constexpr double kNoMotion = 1.0;  // R/c, what an iteration counts as
   return {std::move(lattice),
           {},
           std::move(field),
@@ -121,7 +123,7 @@ State initial_state(const Scene& scene, const Bodies& bodies, const PotentialWal
 
 double expected_time(const Scene& scene, double sound_speed, Eigen::Index points, double gap) {
   if (scene.kind == SceneKind::kCollision) return impact_time(scene, sound_speed, gap);
-  return scene.is_static() ? 0.0 : relaxation_time(scene, sound_speed, points);
+  return relaxation_time(scene, sound_speed, points);
 }
 
 void add_terms(const Scene& scene, const Bodies& bodies, const PotentialWall& wall,
@@ -150,12 +152,22 @@ Composition compose_on_wall(const Scene& scene) {
   State initial = initial_state(scene, bodies, wall);
   ForceField field{BondForces(all, law), mass};
   add_terms(scene, bodies, wall, initial.position, field);
+  const double sound_speed = estimated_sound_speed(law.k_a);
+  if (scene.is_static()) {
+    return {std::move(bodies.disk),
+            {},
+            std::move(field),
+            std::move(initial),
+            {},
+            kNoMotion,
+            sound_speed,
+            0.0};
+  }
   Spectrum spectrum = lattice_spectrum(all, law, mass);
   if (field.viscous_boundary) {
     spectrum.gamma += field.viscous_boundary->largest_coefficient() / mass;
   }
 
-  const double sound_speed = estimated_sound_speed(law.k_a);
   const double gap = initial.position.col(1).head(points).minCoeff();
   const double step = choose_step(scene, spectrum, wall, static_cast<int>(points), sound_speed);
   std::optional<Lattice> wall_lattice;

@@ -70,6 +70,14 @@ void Run::settle() {
   finished_ = true;
 }
 
+void Run::reload(double p) {
+  simulation_.reload(p);
+  scene_.load.p = p;
+  recorder_ = ContactRecorder(simulation_, contact_force(scene_));
+  flags_.clear();
+  finished_ = false;
+}
+
 void Run::observe_step() {
   recorder_.add_step(simulation_);
   if (simulation_.halvings() > kMostHalvings) {

@@ -33,6 +33,10 @@ class Run {
   /// @throw RunFailure when the energy balance breaks.
   void advance(const std::function<bool()>& stop = {});
 
+  /// Sets out for the static solution under another load, from the present one. The scene must be a
+  /// contact that is solved without motion.
+  void reload(double p);
+
   bool finished() const { return finished_; }
   const Lattice& lattice() const { return lattice_; }
   /// Of an elastic wall; nullptr when the scene has none.

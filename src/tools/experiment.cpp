@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "scene/scene_parameters.hpp"
 #include "tools/restitution_yaml.hpp"
 
 namespace impact {
@@ -44,7 +45,7 @@ std::vector<Quantity> impact_quantities(const Scene& scene) {
   }
   list.push_back(
       number("restitution_bound", [](const auto& e) { return e.run().restitution_bound(); }));
-  if (scene.material.eta != 0.0) list.push_back(energy("dissipated", &EnergyLedger::dissipated));
+  list.push_back(energy("dissipated", &EnergyLedger::dissipated));
   if (scene.wall.kind == WallKind::kLattice) {
     list.push_back(energy("wall_energy", &EnergyLedger::wall_lattice));
     list.push_back(energy("absorbed", &EnergyLedger::absorbed));
@@ -112,6 +113,12 @@ void Experiment::advance(const std::function<bool()>& stop) {
   take_in();
 }
 
+void Experiment::go_on_to(const Scene& next) {
+  start_ = std::chrono::steady_clock::now();
+  scene_ = next;
+  run_.reload(next.load.p);
+}
+
 void Experiment::take_in() {
   const ContactReport report = run_.take_contact_reports().on_disk;
   analysis_.add(run_.disk_state());
@@ -140,6 +147,13 @@ BondLaw Experiment::law() const { return {scene_.material.k_a, scene_.material.k
 
 double Experiment::wall_time() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+bool is_next_load(const Scene& first, const Scene& second) {
+  if (first.kind != SceneKind::kContact || !first.is_static()) return false;
+  Scene reloaded = first;
+  reloaded.load.p = second.load.p;
+  return to_yaml(reloaded) == to_yaml(second);
 }
 
 YAML::Node Experiment::result() const {

@@ -24,6 +24,9 @@ class Experiment {
   void advance(const std::function<bool()>& stop = {});
   bool finished() const { return run_.finished(); }
 
+  /// Sets out for the next scene of a chain, see is_next_load().
+  void go_on_to(const Scene& next);
+
   /// The values of quantities(), in their order.
   YAML::Node result() const;
 
@@ -58,6 +61,10 @@ struct Quantity {
   std::string key;
   std::function<YAML::Node(const Experiment&)> value;
 };
+
+/// Whether both scenes are static solutions of one contact and differ at most in the load, so that
+/// the second can be found from the first.
+bool is_next_load(const Scene& first, const Scene& second);
 
 /// Everything that the result of such a scene holds, in the order in which it is shown.
 std::vector<Quantity> quantities(const Scene& scene);

@@ -8,6 +8,7 @@
 #include <boost/asio/thread_pool.hpp>
 #include <boost/asio/use_future.hpp>
 #include <chrono>
+#include <deque>
 #include <future>
 
 #include "run/compose.hpp"
@@ -24,20 +25,38 @@ std::string text(const YAML::Node& value) {
   return fmt::format("{}", fmt::join(value.as<std::vector<std::string>>(), ";"));
 }
 
-/// Empty cells when it was told to stop.
-ResultTexts simulate(const Scene& scene, const std::function<bool()>& stop) {
-  Experiment experiment(scene);
-  try {
-    while (!experiment.finished()) {
-      if (stop()) return {};
-      experiment.advance(stop);
-    }
-  } catch (const RunFailure& error) {
-    return failure(error.what());
-  }
+using Scenes = std::vector<Scene>::const_iterator;
+
+/// The end of the chain of scenes that begins here, each to be found from the one before.
+Scenes end_of_chain(Scenes begin, Scenes end) {
+  Scenes last = begin;
+  for (Scenes next = begin + 1; next != end && is_next_load(*last, *next); ++next) last = next;
+  return last + 1;
+}
+
+ResultTexts texts_of(const Experiment& experiment) {
   ResultTexts texts;
   for (const auto& entry : experiment.result()) texts[entry.first.Scalar()] = text(entry.second);
   return texts;
+}
+
+/// Fewer results than scenes when it was told to stop.
+std::vector<ResultTexts> simulate(Scenes begin, Scenes end, const std::function<bool()>& stop) {
+  std::vector<ResultTexts> results;
+  Experiment experiment(*begin);
+  for (Scenes scene = begin; scene != end; ++scene) {
+    if (scene != begin) experiment.go_on_to(*scene);
+    try {
+      while (!experiment.finished()) {
+        if (stop()) return results;
+        experiment.advance(stop);
+      }
+      results.push_back(texts_of(experiment));
+    } catch (const RunFailure& error) {
+      results.push_back(failure(error.what()));
+    }
+  }
+  return results;
 }
 
 /// Simulates scenes on several threads; what is not done at the end of its life is given up.
@@ -55,9 +74,9 @@ class Workers {
 
   bool stopped() const { return given_up_ || (stop_ && stop_()); }
 
-  std::future<ResultTexts> start(const Scene& scene) {
-    return boost::asio::post(pool_, boost::asio::use_future([this, &scene] {
-                               return simulate(scene, [this] { return stopped(); });
+  std::future<std::vector<ResultTexts>> start(Scenes begin, Scenes end) {
+    return boost::asio::post(pool_, boost::asio::use_future([this, begin, end] {
+                               return simulate(begin, end, [this] { return stopped(); });
                              }));
   }
 
@@ -74,23 +93,38 @@ void break_off_if_stopped(const Workers& workers, const SeriesFile& file) {
                   file.rows().size(), file.scenes().size()));
 }
 
+/// Scenes that one thread simulates, one after another.
+struct Chain {
+  Scenes begin;
+  Scenes end;
+  std::future<std::vector<ResultTexts>> results;
+};
+
+/// A chain of which some rows are there is simulated from its beginning again, so that the others
+/// do not depend on an interruption.
 void simulate_missing_rows(SeriesFile& file, const SeriesOptions& options) {
   const auto show_progress = [&] {
     if (options.progress) options.progress(file.rows().size());
   };
   Workers workers(options.jobs, options.stop);
-  std::vector<std::future<ResultTexts>> results;
-  for (std::size_t i = file.rows().size(); i < file.scenes().size(); ++i) {
-    results.push_back(workers.start(file.scenes()[i]));
+  std::deque<Chain> chains;
+  const std::vector<Scene>& scenes = file.scenes();
+  for (auto begin = scenes.begin(); begin != scenes.end(); begin = chains.back().end) {
+    chains.push_back({begin, end_of_chain(begin, scenes.end()), {}});
   }
-  for (auto& result : results) {
+  const auto first_missing = scenes.begin() + static_cast<std::ptrdiff_t>(file.rows().size());
+  while (chains.front().end <= first_missing) chains.pop_front();
+  for (Chain& chain : chains) chain.results = workers.start(chain.begin, chain.end);
+  for (Chain& chain : chains) {
     do {
       show_progress();
       break_off_if_stopped(workers, file);
-    } while (result.wait_for(kPatience) != std::future_status::ready);
-    const ResultTexts texts = result.get();
+    } while (chain.results.wait_for(kPatience) != std::future_status::ready);
+    const std::vector<ResultTexts> results = chain.results.get();
     break_off_if_stopped(workers, file);
-    file.append(texts);
+    const auto known = std::max<std::ptrdiff_t>(0, first_missing - chain.begin);
+    std::for_each(results.begin() + known, results.end(),
+                  [&](const ResultTexts& texts) { file.append(texts); });
   }
   show_progress();
 }
