@@ -44,6 +44,34 @@ TEST(QuasiStaticRestitution, LosesHalfOfWhatTheClosedFormSays) {
   EXPECT_NEAR((1.0 - e * e) / (1.0 - closed * closed), 0.5, 0.02);
 }
 
+/// The relative tolerances: 10⁻⁹ of the root, and 10⁻⁹ of e over the loss 1 − e² that it feeds.
+TEST(DissipationTime, InvertsTheRestitution) {
+  for (const double v : {1e-3, 0.01, 0.1}) {
+    for (const double wanted : {1e-3, 0.02, 0.3}) {
+      const double e = quasi_static_restitution({kModulus, wanted, v}, EndOfImpact::kNoCompression,
+                                                sound_speed(kModulus));
+      const double loss = 1.0 - e * e;
+      EXPECT_NEAR(dissipation_time(kModulus, v, loss) / wanted, 1.0, 1e-9 + 2e-9 / loss);
+    }
+  }
+}
+
+TEST(DissipationTime, OfNoLossIsZero) { EXPECT_EQ(dissipation_time(kModulus, 0.01, 0.0), 0.0); }
+
+TEST(DissipationTime, ReachesNearlyEveryLoss) {
+  EXPECT_GT(dissipation_time(kModulus, 0.01, 0.999999), 0.0);
+  EXPECT_GT(dissipation_time(kModulus, 0.99 * sound_speed(kModulus), 0.999), 0.0);
+}
+
+TEST(DissipationTime, IsNotANumberWhereThereIsNone) {
+  const double c = sound_speed(kModulus);
+  EXPECT_TRUE(std::isnan(dissipation_time(kModulus, 0.01, -1e-6)));
+  EXPECT_TRUE(std::isnan(dissipation_time(kModulus, 0.01, 1.0)));
+  EXPECT_TRUE(std::isnan(dissipation_time(kModulus, c, 0.1)));
+  EXPECT_TRUE(std::isnan(dissipation_time(std::nan(""), 0.01, 0.1)));
+  EXPECT_TRUE(std::isnan(dissipation_time(kModulus, 0.01, std::nan(""))));
+}
+
 TEST(ClosedForm, ByHand) {
   EXPECT_NEAR(closed_form_restitution(0.9, 0.5, 4.0 * std::exp(-4.0)), 0.9 * std::sqrt(0.75),
               1e-15);
