@@ -74,7 +74,10 @@ Fit least_squares(const std::vector<DataPoint>& points, const Law& law,
       &gsl_multifit_nlinear_free);
   const gsl_vector_const_view first = gsl_vector_const_view_array(start.data(), start.size());
   const Vector weights = weights_of(points);
-  gsl_multifit_nlinear_winit(&first.vector, weights.get(), &functions, workspace.get());
+  if (gsl_multifit_nlinear_winit(&first.vector, weights.get(), &functions, workspace.get()) !=
+      GSL_SUCCESS) {
+    return declined("the law has no value at some of the points");
+  }
   constexpr std::size_t kMostIterations = 200;
   constexpr double kTolerance = 1e-12;
   int info = 0;

@@ -67,6 +67,9 @@ TEST(FitRestitution, DeclinesAConcaveLaw) {
 TEST(FitRestitution, DeclinesWhatItCannotTell) {
   EXPECT_NE(fit_restitution({{0.01, 0.9}, {0.02, 0.8}}).declined.find("fewer than four"),
             std::string::npos);
+  EXPECT_NE(fit_restitution({{0.01, 0.9}, {0.02, 0.8}, {0.03, 0.7}, {5.0, 0.6}})
+                .declined.find("no value at some of the points"),
+            std::string::npos);
   std::vector<DataPoint> noise = restitution_data(1.0, 0.0, 1e-3, 1);
   EXPECT_FALSE(fit_restitution(noise).declined.empty());
 }
