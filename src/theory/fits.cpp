@@ -112,7 +112,12 @@ Fit least_squares(const std::vector<DataPoint>& points, const Law& law,
   return fit;
 }
 
-double straight_line_residual(const std::vector<DataPoint>& points) {
+struct Line {
+  double intercept = 0.0;
+  double slope = 0.0;
+};
+
+Line straight_line(const std::vector<DataPoint>& points) {
   std::vector<double> x;
   std::vector<double> w;
   std::vector<double> y;
@@ -121,19 +126,41 @@ double straight_line_residual(const std::vector<DataPoint>& points) {
     w.push_back(std::pow(point.standard_error, -2));
     y.push_back(point.y);
   }
-  double intercept = 0.0;
-  double slope = 0.0;
+  Line line;
   double variance_intercept = 0.0;
   double covariance = 0.0;
   double variance_slope = 0.0;
   double chi_squared = 0.0;
-  gsl_fit_wlinear(x.data(), 1, w.data(), 1, y.data(), 1, x.size(), &intercept, &slope,
+  gsl_fit_wlinear(x.data(), 1, w.data(), 1, y.data(), 1, x.size(), &line.intercept, &line.slope,
                   &variance_intercept, &covariance, &variance_slope, &chi_squared);
+  return line;
+}
+
+double straight_line_residual(const std::vector<DataPoint>& points) {
+  const Line line = straight_line(points);
   double sum = 0.0;
   for (const DataPoint& point : points) {
-    sum += std::pow(intercept + slope * point.x - point.y, 2);
+    sum += std::pow(line.intercept + line.slope * point.x - point.y, 2);
   }
   return std::sqrt(sum / static_cast<double>(points.size()));
+}
+
+/// (d₁, d₂) of the straight line that eq. (5) is in e² over 1/√ln(4 c_s/v). From there no step
+/// leads out of the domain of the root, where the least-squares solver would be stuck.
+std::vector<double> restitution_start(const std::vector<DataPoint>& points) {
+  std::vector<DataPoint> straightened = points;
+  for (DataPoint& point : straightened) {
+    point.x = 1.0 / std::sqrt(std::log(4.0 / point.x));
+    point.y *= point.y;
+  }
+  const Line line = straight_line(straightened);
+  const bool has_root =
+      line.intercept > 0.0 &&
+      std::all_of(straightened.begin(), straightened.end(), [&line](const DataPoint& point) {
+        return line.intercept + line.slope * point.x > 0.0;
+      });
+  if (!has_root) return {1.0, 0.0};
+  return {std::sqrt(line.intercept), -line.slope / line.intercept};
 }
 
 }  // namespace
@@ -152,7 +179,7 @@ Fit fit_restitution(const std::vector<DataPoint>& points) {
     return closed_form_restitution(gsl_vector_get(parameters, 0), gsl_vector_get(parameters, 1),
                                    velocity);
   };
-  Fit fit = least_squares(points, law, {1.0, 0.01});
+  Fit fit = least_squares(points, law, restitution_start(points));
   if (!fit.declined.empty()) return fit;
   const double line = straight_line_residual(points);
   const double evidence = 2.0 * static_cast<double>(points.size()) * std::log(fit.residual / line);

@@ -53,6 +53,16 @@ TEST(FitRestitution, ErrorsAreWhatTheyClaim) {
   EXPECT_NEAR(sum2 / kSets, 1.125, 0.4);
 }
 
+/// Losses so strong that the law's root ends not far beyond the data. 10⁻³ of noise leaves d₂ known
+/// to some per cent.
+TEST(FitRestitution, RecoversStrongLosses) {
+  const Fit fit = fit_restitution(restitution_data(1.5, 1.7, 1e-3, 1));
+  ASSERT_TRUE(fit.declined.empty()) << fit.declined;
+  EXPECT_NEAR(fit.parameters[0].value, 1.5, 3.5 * fit.parameters[0].standard_error);
+  EXPECT_NEAR(fit.parameters[1].value, 1.7, 3.5 * fit.parameters[1].standard_error);
+  EXPECT_LT(fit.parameters[1].standard_error, 0.05);
+}
+
 TEST(FitRestitution, DeclinesAConcaveLaw) {
   std::vector<DataPoint> points;
   for (int k = 1; k <= 20; ++k) {
