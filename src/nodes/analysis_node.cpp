@@ -15,6 +15,16 @@ namespace {
 
 constexpr double kPoll = 0.1;  // s
 
+std::string outcome(const lattice_impact::LawFit& law) {
+  std::string text = fmt::format("{} law of {} points", law.law, law.x.size());
+  if (!law.declined.empty()) return fmt::format("{}: not fitted, {}", text, law.declined);
+  for (std::size_t k = 0; k < law.names.size(); ++k) {
+    text +=
+        fmt::format(", {} = {:.6g} +- {:.2g}", law.names[k], law.values[k], law.standard_errors[k]);
+  }
+  return text;
+}
+
 }  // namespace
 
 AnalysisNode::AnalysisNode(const AnalysisNodeParameters& parameters)
@@ -22,9 +32,12 @@ AnalysisNode::AnalysisNode(const AnalysisNodeParameters& parameters)
       readers_(node_, parameters.wait_for),
       strain_(readers_.advertise<lattice_impact::Strain>("strain")),
       restitution_(readers_.advertise<lattice_impact::Restitution>("restitution", true)),
+      law_fit_(readers_.advertise<lattice_impact::LawFit>("law_fit", true)),
       acknowledged_(node_.advertise<lattice_impact::Acknowledged>("acknowledged", 0, true)),
+      fits_(parameters.elastic, [this](const lattice_impact::LawFit& law) { publish(law); }),
       analysis_({[this](const lattice_impact::Strain& strain) { publish(strain); },
                  [this](const lattice_impact::Restitution& result) { publish(result); },
+                 [this](const ClosedRun& run) { fits_.add(run); },
                  [this](std::uint32_t run, std::uint32_t sequence) { acknowledge(run, sequence); },
                  [this](const std::string& problem) {
                    complete_ = false;
@@ -79,6 +92,11 @@ void AnalysisNode::publish(const lattice_impact::Restitution& restitution) {
              restitution.run, -restitution.velocity_before, restitution.restitution,
              restitution.contact_duration);
   }
+}
+
+void AnalysisNode::publish(const lattice_impact::LawFit& law) {
+  law_fit_.publish(law);
+  ROS_INFO("run %u: %s", law.run, outcome(law).c_str());
 }
 
 void AnalysisNode::acknowledge(std::uint32_t run, std::uint32_t sequence) {

@@ -8,10 +8,12 @@
 #include "nodes/node_parameters.hpp"
 #include "nodes/readers.hpp"
 #include "nodes/series_analysis.hpp"
+#include "nodes/series_fits.hpp"
 
 namespace impact {
 
-/// Analyses a series while it is simulated or replayed, and publishes the results.
+/// Analyses a series while it is simulated or replayed, fits the paper's laws to it, and publishes
+/// the results.
 class AnalysisNode {
  public:
   explicit AnalysisNode(const AnalysisNodeParameters& parameters);
@@ -26,6 +28,7 @@ class AnalysisNode {
   void subscribe(const std::string& topic);
   void publish(const lattice_impact::Restitution& restitution);
   void publish(const lattice_impact::Strain& strain);
+  void publish(const lattice_impact::LawFit& law);
   void acknowledge(std::uint32_t run, std::uint32_t sequence);
   double silence() const;
   double patience_for_publishers() const;
@@ -35,8 +38,10 @@ class AnalysisNode {
   Readers readers_;
   ros::Publisher strain_;
   ros::Publisher restitution_;
+  ros::Publisher law_fit_;
   ros::Publisher acknowledged_;
   std::vector<ros::Subscriber> subscribers_;
+  SeriesFits fits_;
   SeriesAnalysis analysis_;
   ros::WallTime last_message_;
   bool any_message_ = false;

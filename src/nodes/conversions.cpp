@@ -115,6 +115,31 @@ lattice_impact::Restitution to_message(const Restitution& restitution) {
   return message;
 }
 
+lattice_impact::LawFit to_message(const LawFit& law) {
+  lattice_impact::LawFit message;
+  message.law = law.law;
+  for (const MeanPoint& point : law.points) {
+    message.x.push_back(point.x);
+    message.y.push_back(point.y);
+    message.y_standard_error.push_back(point.standard_error);
+    message.runs.push_back(static_cast<std::uint32_t>(point.runs));
+  }
+  message.y_theory = law.theory;
+  message.y_inertial_load = law.inertial_load;
+  for (const LawFit::Parameter& parameter : law.parameters) {
+    message.names.push_back(parameter.name);
+    message.values.push_back(parameter.estimate.value);
+    message.standard_errors.push_back(parameter.estimate.standard_error);
+    message.paper_values.push_back(parameter.paper);
+  }
+  message.declined = law.fit.declined;
+  const bool fitted = law.fit.declined.empty();
+  message.residual = fitted ? law.fit.residual : LawFit::kNaN;
+  message.x_low = fitted ? law.fit.x_low : LawFit::kNaN;
+  message.x_high = fitted ? law.fit.x_high : LawFit::kNaN;
+  return message;
+}
+
 Lattice from_message(const lattice_impact::Lattice& message) {
   require_equal("Lattice", {message.x.size(), message.y.size()});
   require_equal("Lattice", {message.bond_first.size(), message.bond_second.size(),

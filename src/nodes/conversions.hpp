@@ -3,6 +3,7 @@
 #include <lattice_impact/ContactForces.h>
 #include <lattice_impact/EnergyLedger.h>
 #include <lattice_impact/Lattice.h>
+#include <lattice_impact/LawFit.h>
 #include <lattice_impact/ParticleStates.h>
 #include <lattice_impact/Restitution.h>
 #include <lattice_impact/Strain.h>
@@ -14,6 +15,7 @@
 #include "measure/strain.hpp"
 #include "mechanics/energy_ledger.hpp"
 #include "mechanics/state.hpp"
+#include "theory/law_fit.hpp"
 
 /// Between the project's types and its messages, to the last bit. Header, run and sequence are left
 /// to the caller.
@@ -25,6 +27,8 @@ lattice_impact::ContactForces to_message(const ContactReport& report);
 lattice_impact::EnergyLedger to_message(const EnergyLedger& ledger, double error);
 lattice_impact::Strain to_message(const Strain& strain);
 lattice_impact::Restitution to_message(const Restitution& restitution);
+/// Without the constants, which are left to the caller too.
+lattice_impact::LawFit to_message(const LawFit& law);
 
 /// @throw std::runtime_error when the arrays of the message differ in length, or a bond names a
 /// point that is not there.

@@ -92,7 +92,16 @@ const std::vector<Parameter<AnalysisNodeParameters>>& analysis_node_parameters()
       flag<P>(
           "exit_when_done",
           "end when the last run of the series is analysed, or its publishers have gone",
-          [](auto& p) -> auto& { return p.exit_when_done; })};
+          [](auto& p) -> auto& { return p.exit_when_done; }),
+      real_or_auto<P>(
+          "young_modulus", "M c²/R²", {0.0, ElasticParameters::kHighestModulus, false},
+          "E of the disk for law_fit; auto: measured on the recipe in use, none for a disk.file",
+          [](auto& p) -> auto& { return p.elastic.young_modulus; }),
+      real_or_auto<P>(
+          "poisson_ratio", "-",
+          {-ElasticParameters::kHighestRatio, ElasticParameters::kHighestRatio},
+          "ν of the disk for law_fit; auto: as for young_modulus",
+          [](auto& p) -> auto& { return p.elastic.poisson_ratio; })};
   return table;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "nodes/elastic_constants.hpp"
 #include "scene/parameter_table.hpp"
 
 namespace impact {
@@ -26,6 +27,7 @@ struct AnalysisNodeParameters {
   double patience = 5.0;              ///< s
   double linger = 0.5;                ///< s
   bool exit_when_done = false;
+  ElasticParameters elastic;
 };
 
 const std::vector<Parameter<SimulationNodeParameters>>& simulation_node_parameters();

@@ -136,9 +136,24 @@ void SeriesAnalysis::close(std::uint32_t number) {
       run.last_strain.at_rest = static_cast<std::uint8_t>(true);
       publish_strain(run, run.last_strain);
     }
+    report_closed(run, number, complete);
   }
   outputs_.taken_in(number, run.status ? run.status->states : run.next_sequence);
   runs_.erase(number);
+}
+
+void SeriesAnalysis::report_closed(const Run& run, std::uint32_t number, bool complete) const {
+  ClosedRun closed;
+  closed.header = run.last_strain.header;
+  closed.number = number;
+  closed.scene = *run.scene;
+  closed.flags = run.status->flags;
+  if (complete) {
+    closed.answer = run.scene->kind == SceneKind::kContact
+                        ? run.last_strain.strain
+                        : run.impact.restitution(complete).restitution;
+  }
+  outputs_.closed(closed);
 }
 
 void SeriesAnalysis::close() {

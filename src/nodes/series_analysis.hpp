@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "measure/impact_analysis.hpp"
 #include "measure/strain.hpp"
@@ -15,6 +17,16 @@
 #include "scene/scene.hpp"
 
 namespace impact {
+
+/// What a run of a series came to.
+struct ClosedRun {
+  std_msgs::Header header;   ///< of its last state
+  std::uint32_t number = 0;  ///< of the series, from 0
+  Scene scene;
+  std::vector<std::string> flags;
+  /// ξ (R) of a contact, e of a collision; NaN when there is none.
+  double answer = std::numeric_limits<double>::quiet_NaN();
+};
 
 /// Turns the messages of a series of runs into its results. Messages of one topic must come in the
 /// order in which they were published; between topics any order will do, so that a live
@@ -26,6 +38,8 @@ class SeriesAnalysis {
   struct Outputs {
     std::function<void(const lattice_impact::Strain&)> strain;
     std::function<void(const lattice_impact::Restitution&)> restitution;
+    /// The run has ended, and its other results are out.
+    std::function<void(const ClosedRun&)> closed;
     /// All messages of the run up to this sequence number have been taken in. When the run is
     /// closed and its results are out, the number is that of its states: one past the last.
     std::function<void(std::uint32_t run, std::uint32_t sequence)> taken_in;
@@ -71,6 +85,7 @@ class SeriesAnalysis {
   void close(std::uint32_t number);
   void publish_strain(Run& run, lattice_impact::Strain strain) const;
   void publish_restitution(const Run& run, bool ended, bool complete) const;
+  void report_closed(const Run& run, std::uint32_t number, bool complete) const;
   Run& open_run(std::uint32_t number) { return runs_[number]; }
 
   Outputs outputs_;

@@ -4,13 +4,16 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "nodes/series_analysis.hpp"
+#include "nodes/series_fits.hpp"
 #include "scene/parameter_table.hpp"
+#include "tools/law_fit_yaml.hpp"
 #include "tools/program.hpp"
 #include "tools/restitution_yaml.hpp"
 
@@ -20,9 +23,11 @@ namespace {
 /// The topics of one namespace: what was recorded, what was published, and the results.
 class Pipeline {
  public:
-  explicit Pipeline(std::string name_space)
-      : analysis_({[this](const lattice_impact::Strain& strain) { add_result(strain); },
+  Pipeline(std::string name_space, const ElasticParameters& elastic)
+      : fits_(elastic, [this](const lattice_impact::LawFit& law) { add_result(law); }),
+        analysis_({[this](const lattice_impact::Strain& strain) { add_result(strain); },
                    [this](const lattice_impact::Restitution& result) { add_result(result); },
+                   [this](const ClosedRun& run) { fits_.add(run); },
                    [](std::uint32_t, std::uint32_t) {},
                    [this](const std::string& problem) { report(problem); }}),
         name_space_(std::move(name_space)) {}
@@ -30,7 +35,8 @@ class Pipeline {
   void add(const rosbag::MessageInstance& message) {
     take<lattice_impact::Lattice>(message) || take<lattice_impact::ParticleStates>(message) ||
         take<lattice_impact::ContactForces>(message) || take_status(message) ||
-        count<lattice_impact::Strain>(message) || count<lattice_impact::Restitution>(message);
+        count<lattice_impact::Strain>(message) || count<lattice_impact::Restitution>(message) ||
+        count<lattice_impact::LawFit>(message);
   }
 
   void close() {
@@ -68,6 +74,9 @@ class Pipeline {
   }
 
   const std::vector<YAML::Node>& results() const { return results_; }
+
+  /// The last of each group.
+  const std::map<std::string, lattice_impact::LawFit>& law_fits() const { return law_fits_; }
 
  private:
   void report(const std::string& problem) {
@@ -132,12 +141,19 @@ class Pipeline {
     results_.push_back(node);
   }
 
+  void add_result(const lattice_impact::LawFit& law) {
+    ++published_[type<lattice_impact::LawFit>()];
+    law_fits_[law.scene] = law;
+  }
+
+  SeriesFits fits_;
   SeriesAnalysis analysis_;
   std::string name_space_;
   std::map<std::string, Topic> topics_;                             ///< recorded, by name
   std::map<std::string, std::uint64_t> published_;                  ///< by type
   std::map<std::uint32_t, lattice_impact::RunStatus> last_status_;  ///< by run
   std::vector<YAML::Node> results_;
+  std::map<std::string, lattice_impact::LawFit> law_fits_;  ///< by the keys that the runs share
   bool complete_ = true;
 };
 
@@ -146,7 +162,7 @@ std::string name_space_of(const std::string& topic) {
   return slash == 0 || slash == std::string::npos ? "/" : topic.substr(0, slash);
 }
 
-void analyse(const std::string& file) {
+void analyse(const std::string& file, const ElasticParameters& elastic) {
   rosbag::Bag bag;
   try {
     bag.open(file, rosbag::bagmode::Read);
@@ -159,7 +175,7 @@ void analyse(const std::string& file) {
   std::map<std::string, Pipeline> pipelines;
   for (const rosbag::MessageInstance& message : rosbag::View(bag)) {
     const std::string name_space = name_space_of(message.getTopic());
-    pipelines.try_emplace(name_space, name_space).first->second.add(message);
+    pipelines.try_emplace(name_space, name_space, elastic).first->second.add(message);
   }
 
   bool complete = true;
@@ -170,6 +186,8 @@ void analyse(const std::string& file) {
     YAML::Node node;
     node["topics"] = pipeline.second.topics();
     for (const YAML::Node& result : pipeline.second.results()) node["runs"].push_back(result);
+    for (const auto& law : pipeline.second.law_fits())
+      node["law_fits"].push_back(to_yaml(law.second));
     document[pipeline.first] = node;
     complete = complete && pipeline.second.complete();
   }
@@ -186,5 +204,12 @@ int main(int argc, char** argv) {
                "analyse_bag");
   std::string file;
   app.add_option("bag", file, "the bag")->required();
-  return impact::run_tool(app, argc, argv, [&] { impact::analyse(file); });
+  impact::ElasticParameters elastic;
+  constexpr double kHighestModulus = impact::ElasticParameters::kHighestModulus;
+  constexpr double kHighestRatio = impact::ElasticParameters::kHighestRatio;
+  app.add_option("--young-modulus", elastic.young_modulus, "E of the disk, M c^2/R^2")
+      ->check(CLI::Range(std::numeric_limits<double>::min(), kHighestModulus));
+  app.add_option("--poisson-ratio", elastic.poisson_ratio, "of the disk")
+      ->check(CLI::Range(-kHighestRatio, kHighestRatio));
+  return impact::run_tool(app, argc, argv, [&] { impact::analyse(file, elastic); });
 }

@@ -72,10 +72,16 @@ struct Listener {
   SeriesAnalysis analysis{
       {[this](const lattice_impact::Strain& s) { strains.push_back(s); },
        [this](const lattice_impact::Restitution& r) { results.push_back(r); },
+       [this](const ClosedRun& run) {
+         closed.push_back(run);
+         acknowledged_before.push_back(taken_in.back());
+       },
        [this](std::uint32_t run, std::uint32_t sequence) { taken_in.emplace_back(run, sequence); },
        [this](const std::string& problem) { problems.push_back(problem); }}};
   std::vector<lattice_impact::Strain> strains;
   std::vector<lattice_impact::Restitution> results;
+  std::vector<ClosedRun> closed;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> acknowledged_before;  ///< each closed run
   std::vector<std::pair<std::uint32_t, std::uint32_t>> taken_in;
   std::vector<std::string> problems;
 
@@ -161,6 +167,29 @@ TEST(SeriesAnalysis, SaysWhatRestsAndAcknowledgesTheEnd) {
   EXPECT_EQ(listener.taken_in.back().second, before.sequence + 1);
 }
 
+TEST(SeriesAnalysis, HandsOnTheAnswerOfAClosedRun) {
+  const Scene scene = small_scene(SceneKind::kCollision);
+  Listener listener;
+  listener.hear(messages_of(scene, 3));
+  ASSERT_EQ(listener.closed.size(), 1U);
+  EXPECT_EQ(listener.closed[0].number, 3U);
+  EXPECT_EQ(listener.closed[0].answer, listener.results.back().restitution);
+  EXPECT_EQ(to_yaml(listener.closed[0].scene), to_yaml(scene));
+
+  Listener pressed;
+  pressed.hear(messages_of(small_scene(SceneKind::kContact), 0));
+  ASSERT_EQ(pressed.closed.size(), 1U);
+  EXPECT_EQ(pressed.closed[0].answer, pressed.strains.back().strain);
+}
+
+/// What is made of a closed run is out before its end is acknowledged.
+TEST(SeriesAnalysis, HandsOnAClosedRunBeforeItsEndIsAcknowledged) {
+  Listener listener;
+  listener.hear(messages_of(small_scene(SceneKind::kCollision), 0));
+  ASSERT_EQ(listener.acknowledged_before.size(), 1U);
+  EXPECT_EQ(listener.acknowledged_before[0].second + 1, listener.taken_in.back().second);
+}
+
 /// One state is lost: no number is given, and it is said why.
 TEST(SeriesAnalysis, ReportsAGap) {
   std::vector<Message> messages = messages_of(small_scene(SceneKind::kCollision), 0);
@@ -171,6 +200,8 @@ TEST(SeriesAnalysis, ReportsAGap) {
   EXPECT_EQ(listener.results[1].complete, 0);
   EXPECT_TRUE(std::isnan(listener.results[1].restitution));
   EXPECT_EQ(listener.results[1].flags, std::vector<std::string>{"incomplete"});
+  ASSERT_EQ(listener.closed.size(), 1U);
+  EXPECT_TRUE(std::isnan(listener.closed[0].answer));
   ASSERT_EQ(listener.problems.size(), 1U);
   EXPECT_EQ(listener.problems[0], "run 0: messages are missing: expected sequence 4, got 5");
 }

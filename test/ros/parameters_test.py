@@ -110,7 +110,7 @@ class ParametersTest(unittest.TestCase):
 
     def test_analysis_misses_a_subscriber(self):
         with analysis(self.namespace, wait_for=['nobody'], timeout=1) as process:
-            self.assert_misses_subscriber(process, ['strain', 'restitution'])
+            self.assert_misses_subscriber(process, ['strain', 'restitution', 'law_fit'])
 
     def assert_stops_without_acknowledgement(self, complaint):
         with self.simulate({}, bag='', acknowledged_by=['nobody'], timeout=1) as process:

@@ -106,11 +106,14 @@ class PipelineTest(unittest.TestCase):
                 pipeline.finish()
                 found = [pipeline.results.final_restitution(run) for run in (0, 1)]
                 results = pipeline.results.restitution.messages()
+                law = pipeline.results.law_fit_of(run=1)
             states = bag_messages(bag, namespace + '/particle_states')
         self.assertEqual({message.run for message in results}, {0, 1})
         for velocity, restitution in zip(velocities, found):
             self.assert_equals_tool(restitution, 'collision',
                                     dict(SMALL_COLLISION, **{'impact.velocity': velocity}))
+        self.assertEqual(list(law.y), [message.restitution for message in found])
+        self.assertEqual(law.declined, 'fewer than four points')
         self.assert_series_is_contiguous(states, runs=2)
 
     def assert_series_is_contiguous(self, states, runs):

@@ -90,14 +90,15 @@ def impact(scene, values):
 class BagAnalysis:
     """What analyse_bag says of the one namespace that the bag holds."""
 
-    def __init__(self, bag):
-        run = run_tool('analyse_bag', bag)
+    def __init__(self, bag, *options):
+        run = run_tool('analyse_bag', bag, *options)
         self.exit_code = run.returncode
         self.problems = run.stderr
         document = yaml.safe_load(run.stdout) or {}
         self.namespace, content = next(iter(document.items()), (None, {}))
         self.topics = content.get('topics', {})
         self.runs = content.get('runs', [])
+        self.law_fits = content.get('law_fits', [])
 
 
 def bag_messages(bag, topic):

@@ -12,8 +12,10 @@ from programs import (IMPACT_RESULTS, PACKAGE, BagAnalysis, bag_messages, bits, 
                       random_namespace)
 from results import Results
 
+SERIES = {'N': 60, 'eta': 10, 'velocity': [0.01, 0.02, 0.03, 0.05, 0.08], 'period': 0.1}
 SCENE = {'disk.points': 1000, 'impact.velocity': 0.015}
-RECORDED = {'lattice', 'particle_states', 'contact_forces', 'run_status', 'strain', 'restitution'}
+RECORDED = {'lattice', 'particle_states', 'contact_forces', 'run_status', 'strain', 'restitution',
+            'law_fit'}
 
 
 class RecordingTest(unittest.TestCase):
@@ -29,6 +31,7 @@ class RecordingTest(unittest.TestCase):
             cls.output = run.stdout()
         cls.strain = bag_messages(cls.bag, cls.namespace + '/strain')
         cls.restitution = bag_messages(cls.bag, cls.namespace + '/restitution')
+        cls.law_fit = bag_messages(cls.bag, cls.namespace + '/law_fit')
 
     @classmethod
     def tearDownClass(cls):
@@ -77,26 +80,62 @@ class RecordingTest(unittest.TestCase):
             self.assertEqual(run[key], getattr(live, key), key)
         self.assertEqual(run['velocity'], -live.velocity_before)
 
-    def replay(self, rate):
+    def replay(self, bag, counts, rate):
+        """The messages of each of the topics, as many of them as said."""
         with Results(self.namespace) as results:
-            with launch('replay.launch', ns=self.namespace, bag=self.bag, rate=rate,
+            with launch('replay.launch', ns=self.namespace, bag=bag, rate=rate,
                         wait_for='[{}]'.format(rospy.get_name())) as run:
                 run.wait()
-            results.strain.wait_for_count(len(self.strain))
-            results.restitution.wait_for_count(len(self.restitution))
-            return results.strain.messages(), results.restitution.messages()
+            inboxes = [getattr(results, topic) for topic in counts]
+            for inbox, count in zip(inboxes, counts.values()):
+                inbox.wait_for_count(count)
+            return [inbox.messages() for inbox in inboxes]
 
     def assert_replay_equals_live(self, rate):
-        strain, restitution = self.replay(rate)
-        self.assertGreater(len(strain), 100)
-        self.assertEqual(list(map(bits, strain)), list(map(bits, self.strain)))
-        self.assertEqual(list(map(bits, restitution)), list(map(bits, self.restitution)))
+        live = {topic: getattr(self, topic) for topic in ('strain', 'restitution', 'law_fit')}
+        self.assertGreater(len(live['strain']), 100)
+        replayed = self.replay(self.bag, {topic: len(live[topic]) for topic in live}, rate)
+        for topic, messages in zip(live, replayed):
+            self.assertEqual(list(map(bits, messages)), list(map(bits, live[topic])), topic)
 
     def test_replay_equals_live_run(self):
         self.assert_replay_equals_live(rate=1)
 
     def test_tenfold_replay_equals_live_run(self):
         self.assert_replay_equals_live(rate=10)
+
+    def test_fits_of_a_series_are_the_same_live_replayed_and_from_the_bag(self):
+        bag = os.path.join(self.folder.name, 'series.bag')
+        with launch('collision.launch', ns=self.namespace, bag=bag, **SERIES) as run:
+            run.wait()
+        live = bag_messages(bag, self.namespace + '/law_fit')
+        self.assertEqual([len(law.x) for law in live], [1, 2, 3, 4, 5])
+        self.assertEqual(live[0].declined, 'fewer than four points')
+        self.assertEqual(live[-1].declined, '')
+        self.assertEqual(live[-1].names, ['d1', 'd2'])
+        self.assertGreater(live[-1].values[1], 2 * live[-1].standard_errors[1])
+
+        analysis = BagAnalysis(bag)
+        self.assertEqual(analysis.exit_code, 0, analysis.problems)
+        law, = analysis.law_fits
+        self.assertEqual(law['y'], [run['restitution'] for run in analysis.runs])
+        for key in ('run', 'x', 'y', 'y_theory', 'values', 'standard_errors', 'residual',
+                    'dissipation_time', 'sound_speed'):
+            found = getattr(live[-1], key)
+            self.assertEqual(law[key], list(found) if isinstance(found, tuple) else found, key)
+
+        replayed, = self.replay(bag, {'law_fit': len(live)}, rate=10)
+        self.assertEqual(list(map(bits, replayed)), list(map(bits, live)))
+
+    def test_constants_can_be_given(self):
+        bag = os.path.join(self.folder.name, 'constants.bag')
+        with launch('collision.launch', ns=self.namespace, bag=bag, N=60, period=0.1,
+                    young_modulus=1.2, poisson_ratio=0.3) as run:
+            run.wait()
+        law, = bag_messages(bag, self.namespace + '/law_fit')
+        self.assertEqual((law.young_modulus, law.poisson_ratio), (1.2, 0.3))
+        given, = BagAnalysis(bag, '--young-modulus=1.2', '--poisson-ratio=0.3').law_fits
+        self.assertEqual(given['x'], list(law.x))
 
 
 if __name__ == '__main__':

@@ -1,7 +1,7 @@
 """Hearing the results of an analysis node, and the pipeline of the two nodes."""
 
 import rospy
-from lattice_impact.msg import Restitution, Strain
+from lattice_impact.msg import LawFit, Restitution, Strain
 
 from programs import Inbox, analysis, simulation
 
@@ -13,6 +13,7 @@ class Results:
     def __init__(self, namespace):
         self.strain = Inbox(namespace + '/strain', Strain)
         self.restitution = Inbox(namespace + '/restitution', Restitution)
+        self.law_fit = Inbox(namespace + '/law_fit', LawFit)
 
     def __enter__(self):
         return self
@@ -20,10 +21,14 @@ class Results:
     def __exit__(self, *_):
         self.strain.__exit__()
         self.restitution.__exit__()
+        self.law_fit.__exit__()
 
     def final_restitution(self, run=0):
         return self.restitution.wait(lambda message: message.ended and message.run == run,
                                      'of the end of run {}'.format(run))
+
+    def law_fit_of(self, run):
+        return self.law_fit.wait(lambda message: message.run == run, 'of run {}'.format(run))
 
     def strain_at_rest(self):
         return self.strain.wait(lambda message: message.at_rest, 'at rest')

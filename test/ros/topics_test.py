@@ -15,7 +15,7 @@ OF_EVERY_NODE = {'/rosout'}
 DIAGNOSTICS = {'/diagnostics'}
 SIMULATION = ('lattice', 'particle_states', 'contact_forces', 'run_status', 'markers',
               'contact_wrench')
-ANALYSIS = ('strain', 'restitution', 'acknowledged')
+ANALYSIS = ('strain', 'restitution', 'law_fit', 'acknowledged')
 
 
 class TopicsTest(unittest.TestCase):

@@ -1,0 +1,135 @@
+#include "nodes/series_fits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nodes/conversions.hpp"
+#include "scene/scene_parameters.hpp"
+#include "theory/law_fit.hpp"
+#include "theory/quasi_static.hpp"
+
+namespace impact {
+namespace {
+
+constexpr double kNaN = LawFit::kNaN;
+
+double abscissa(const Scene& scene) {
+  return scene.kind == SceneKind::kContact ? scene.load.p : scene.impact.velocity;
+}
+
+/// As YAML, the keys that must be equal for runs to be compared.
+std::string shared_keys(const Scene& scene) {
+  YAML::Node keys = write_parameters(scene_parameters(), scene);
+  keys.remove("seed");
+  if (scene.kind == SceneKind::kContact) {
+    keys["load"].remove("P");
+  } else {
+    keys["impact"].remove("velocity");
+  }
+  return YAML::Dump(keys) + "\n";
+}
+
+std::string shared_keys_without_damping(Scene scene) {
+  scene.material.eta = 0.0;
+  return shared_keys(scene);
+}
+
+bool can_be_fitted(const ClosedRun& run) {
+  const bool inaccurate =
+      std::find(run.flags.begin(), run.flags.end(), "energy_error") != run.flags.end();
+  return std::isfinite(run.answer) && !inaccurate;
+}
+
+std::vector<MeanPoint> mean_points(const std::map<double, std::vector<double>>& answers,
+                                   double unit_of_x) {
+  std::vector<MeanPoint> points;
+  points.reserve(answers.size());
+  for (const auto& [x, values] : answers) points.push_back(mean_point(x / unit_of_x, values));
+  return points;
+}
+
+lattice_impact::LawFit fit_contacts(const std::map<double, std::vector<double>>& answers,
+                                    const ElasticConstants& elastic) {
+  lattice_impact::LawFit message = to_message(hertz_law_fit(
+      mean_points(answers, 1.0), {elastic.young_modulus.value, elastic.poisson_ratio.value}));
+  message.dissipation_time = kNaN;
+  return message;
+}
+
+double mean(const std::vector<double>& values) { return mean_point(0.0, values).y; }
+
+}  // namespace
+
+void SeriesFits::add(const ClosedRun& run) {
+  const std::string key = shared_keys(run.scene);
+  Group& changed = group_of(run.scene, key);
+  const bool fitted = can_be_fitted(run);
+  if (fitted) {
+    changed.answers[abscissa(run.scene)].push_back(run.answer);
+  } else {
+    ++changed.left_out;
+  }
+  for (const auto& [shared, group] : groups_) {
+    const bool gained_undamped_pair =
+        fitted && group.undamped == key && group.answers.count(abscissa(run.scene)) > 0;
+    if (&group != &changed && !gained_undamped_pair) continue;
+    lattice_impact::LawFit message = fit(group);
+    message.header = run.header;
+    message.run = run.number;
+    message.scene = shared;
+    message.left_out = group.left_out;
+    output_(message);
+  }
+}
+
+SeriesFits::Group& SeriesFits::group_of(const Scene& scene, const std::string& shared_keys) {
+  const auto found = groups_.find(shared_keys);
+  if (found != groups_.end()) return found->second;
+  return groups_.emplace(shared_keys, Group{scene, shared_keys_without_damping(scene)})
+      .first->second;
+}
+
+lattice_impact::LawFit SeriesFits::fit(const Group& group) const {
+  const ElasticConstants elastic = elastic_constants(group.scene, elastic_);
+  lattice_impact::LawFit message = group.scene.kind == SceneKind::kContact
+                                       ? fit_contacts(group.answers, elastic)
+                                       : fit_collisions(group, elastic);
+  message.young_modulus = elastic.young_modulus.value;
+  message.young_modulus_origin = elastic.young_modulus.origin;
+  message.poisson_ratio = elastic.poisson_ratio.value;
+  message.poisson_ratio_origin = elastic.poisson_ratio.origin;
+  message.sound_speed = sound_speed(elastic.young_modulus.value);
+  return message;
+}
+
+lattice_impact::LawFit SeriesFits::fit_collisions(const Group& group,
+                                                  const ElasticConstants& elastic) const {
+  const double young_modulus = elastic.young_modulus.value;
+  const DissipationTime dissipation = measure_dissipation(group, young_modulus);
+  lattice_impact::LawFit message = to_message(restitution_law_fit(
+      mean_points(group.answers, sound_speed(young_modulus)), young_modulus, dissipation.value));
+  message.dissipation_time = dissipation.value;
+  message.dissipation_time_origin = dissipation.origin;
+  return message;
+}
+
+SeriesFits::DissipationTime SeriesFits::measure_dissipation(const Group& group,
+                                                            double young_modulus) const {
+  if (group.scene.material.eta == 0.0) return {0.0, "η* = 0"};
+  if (group.answers.empty()) return {kNaN, "no answer yet"};
+  const auto undamped = groups_.find(group.undamped);
+  if (undamped != groups_.end()) {
+    for (auto at = group.answers.rbegin(); at != group.answers.rend(); ++at) {
+      const auto pair = undamped->second.answers.find(at->first);
+      if (pair == undamped->second.answers.end()) continue;
+      const double excess = std::pow(mean(pair->second), 2) - std::pow(mean(at->second), 2);
+      return {dissipation_time(young_modulus, at->first, excess),
+              fmt::format("loss in excess of that with η* = 0 at v = {} c", at->first)};
+    }
+  }
+  const auto& [velocity, restitutions] = *group.answers.rbegin();
+  return {dissipation_time(young_modulus, velocity, 1.0 - std::pow(mean(restitutions), 2)),
+          fmt::format("all loss at v = {} c", velocity)};
+}
+
+}  // namespace impact

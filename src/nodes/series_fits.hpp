@@ -1,0 +1,54 @@
+#pragma once
+
+#include <lattice_impact/LawFit.h>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "nodes/elastic_constants.hpp"
+#include "nodes/series_analysis.hpp"
+#include "scene/scene.hpp"
+
+namespace impact {
+
+/// Fits the paper's laws to the runs of a series while they end: eq. (2) to contacts, eq. (5) to
+/// collisions. Only runs that may be compared are fitted together: a group has the same value of
+/// every key of the scene but load.P or impact.velocity, and the seed, over which it averages.
+class SeriesFits {
+ public:
+  using Output = std::function<void(const lattice_impact::LawFit&)>;
+
+  /// `output` is given each group that a run has changed.
+  SeriesFits(const ElasticParameters& elastic, Output output)
+      : elastic_(elastic), output_(std::move(output)) {}
+
+  /// Takes in a run that has ended. Those without an answer and those with the flag energy_error
+  /// are counted, not fitted.
+  void add(const ClosedRun& run);
+
+ private:
+  struct Group {
+    Scene scene;                                      ///< of one of its runs
+    std::string undamped;                             ///< the same group with η* = 0
+    std::map<double, std::vector<double>> answers{};  ///< by load.P or impact.velocity
+    std::uint32_t left_out = 0;
+  };
+  struct DissipationTime {
+    double value;
+    std::string origin;
+  };
+
+  Group& group_of(const Scene& scene, const std::string& shared_keys);
+  lattice_impact::LawFit fit(const Group& group) const;
+  lattice_impact::LawFit fit_collisions(const Group& group, const ElasticConstants& elastic) const;
+  DissipationTime measure_dissipation(const Group& group, double young_modulus) const;
+
+  ElasticParameters elastic_;
+  Output output_;
+  std::map<std::string, Group> groups_;  ///< by the keys that their runs share
+};
+
+}  // namespace impact
