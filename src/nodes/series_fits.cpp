@@ -1,6 +1,7 @@
 #include "nodes/series_fits.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "nodes/conversions.hpp"
@@ -49,11 +50,18 @@ std::vector<MeanPoint> mean_points(const std::map<double, std::vector<double>>& 
 }
 
 lattice_impact::LawFit fit_contacts(const std::map<double, std::vector<double>>& answers,
-                                    const ElasticConstants& elastic) {
+                                    const DiskElasticity& elastic) {
   lattice_impact::LawFit message = to_message(hertz_law_fit(
       mean_points(answers, 1.0), {elastic.young_modulus.value, elastic.poisson_ratio.value}));
   message.dissipation_time = kNaN;
   return message;
+}
+
+/// d₁ and d₂ where the paper fits them in the same kind of scene.
+std::array<double, 2> paper_values(const Scene& scene) {
+  const bool absorbs =
+      scene.wall.kind == WallKind::kLattice && scene.wall.boundary == Boundary::kReset;
+  return absorbs ? kPaperAbsorbingWall : std::array<double, 2>{kNaN, kNaN};
 }
 
 double mean(const std::vector<double>& values) { return mean_point(0.0, values).y; }
@@ -90,7 +98,7 @@ SeriesFits::Group& SeriesFits::group_of(const Scene& scene, const std::string& s
 }
 
 lattice_impact::LawFit SeriesFits::fit(const Group& group) const {
-  const ElasticConstants elastic = elastic_constants(group.scene, elastic_);
+  const DiskElasticity elastic = disk_elasticity(group.scene, elastic_);
   lattice_impact::LawFit message = group.scene.kind == SceneKind::kContact
                                        ? fit_contacts(group.answers, elastic)
                                        : fit_collisions(group, elastic);
@@ -103,11 +111,12 @@ lattice_impact::LawFit SeriesFits::fit(const Group& group) const {
 }
 
 lattice_impact::LawFit SeriesFits::fit_collisions(const Group& group,
-                                                  const ElasticConstants& elastic) const {
+                                                  const DiskElasticity& elastic) const {
   const double young_modulus = elastic.young_modulus.value;
   const DissipationTime dissipation = measure_dissipation(group, young_modulus);
-  lattice_impact::LawFit message = to_message(restitution_law_fit(
-      mean_points(group.answers, sound_speed(young_modulus)), young_modulus, dissipation.value));
+  lattice_impact::LawFit message =
+      to_message(restitution_law_fit(mean_points(group.answers, sound_speed(young_modulus)),
+                                     young_modulus, dissipation.value, paper_values(group.scene)));
   message.dissipation_time = dissipation.value;
   message.dissipation_time_origin = dissipation.origin;
   return message;

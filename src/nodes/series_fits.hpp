@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "nodes/elastic_constants.hpp"
+#include "nodes/disk_elasticity.hpp"
 #include "nodes/series_analysis.hpp"
 #include "scene/scene.hpp"
 
@@ -43,7 +43,7 @@ class SeriesFits {
 
   Group& group_of(const Scene& scene, const std::string& shared_keys);
   lattice_impact::LawFit fit(const Group& group) const;
-  lattice_impact::LawFit fit_collisions(const Group& group, const ElasticConstants& elastic) const;
+  lattice_impact::LawFit fit_collisions(const Group& group, const DiskElasticity& elastic) const;
   DissipationTime measure_dissipation(const Group& group, double young_modulus) const;
 
   ElasticParameters elastic_;

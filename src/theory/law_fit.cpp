@@ -66,11 +66,12 @@ LawFit hertz_law_fit(const std::vector<MeanPoint>& points, const ElasticDisk& di
 }
 
 LawFit restitution_law_fit(const std::vector<MeanPoint>& points, double young_modulus,
-                           double dissipation_time) {
+                           double dissipation_time, const std::array<double, 2>& paper) {
   LawFit law;
   law.law = "restitution";
   law.points = points;
-  law.parameters = {{"d1"}, {"d2"}};
+  law.parameters = {{"d1", {LawFit::kNaN, LawFit::kNaN}, paper[0]},
+                    {"d2", {LawFit::kNaN, LawFit::kNaN}, paper[1]}};
   const double c = sound_speed(young_modulus);
   for (const MeanPoint& point : points) {
     law.theory.push_back(quasi_static_theory(young_modulus, dissipation_time, point.x * c));

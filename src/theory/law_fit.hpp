@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -46,8 +47,12 @@ LawFit hertz_law_fit(const std::vector<MeanPoint>& points, const ElasticDisk& di
 /// `restitution`: points (v/c_s, e) against eq. (4), stopped at ξ = 0, with E* = E and this
 /// dissipation time (R/c), and d₁, d₂ of eq. (5) fitted, each point weighted by its number of runs.
 /// Declined when Young's modulus is NaN. The theory is NaN for v ≥ c_s, which is not quasi-static.
-/// The paper's own d₁, d₂ are of another scene, its absorbing wall.
+/// `paper`: d₁ and d₂ of the paper's fit in this scene, if it gives them.
 LawFit restitution_law_fit(const std::vector<MeanPoint>& points, double young_modulus,
-                           double dissipation_time);
+                           double dissipation_time,
+                           const std::array<double, 2>& paper = {LawFit::kNaN, LawFit::kNaN});
+
+/// d₁ and d₂ of the paper's figure 6, the absorbing wall.
+constexpr std::array<double, 2> kPaperAbsorbingWall{0.973, 0.119};
 
 }  // namespace impact

@@ -21,13 +21,13 @@ struct ElasticConstant {
   std::string origin;
 };
 
-struct ElasticConstants {
+struct DiskElasticity {
   ElasticConstant young_modulus;  ///< E, M c²/R², in plane stress
   ElasticConstant poisson_ratio;  ///< ν, in plane stress
 };
 
 /// The constants of the scene's lattice: those given, otherwise those measured on its recipe. Those
 /// of a lattice from a file are not known unless given.
-ElasticConstants elastic_constants(const Scene& scene, const ElasticParameters& given);
+DiskElasticity disk_elasticity(const Scene& scene, const ElasticParameters& given);
 
 }  // namespace impact
