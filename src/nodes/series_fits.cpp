@@ -124,10 +124,11 @@ lattice_impact::LawFit SeriesFits::fit_collisions(const Group& group,
 
 SeriesFits::DissipationTime SeriesFits::measure_dissipation(const Group& group,
                                                             double young_modulus) const {
-  if (group.scene.material.eta == 0.0) return {0.0, "η* = 0"};
+  const bool absorbs = group.scene.wall.kind == WallKind::kLattice;
+  if (group.scene.material.eta == 0.0 && !absorbs) return {0.0, "η* = 0"};
   if (group.answers.empty()) return {kNaN, "no answer yet"};
   const auto undamped = groups_.find(group.undamped);
-  if (undamped != groups_.end()) {
+  if (undamped != groups_.end() && &undamped->second != &group) {
     for (auto at = group.answers.rbegin(); at != group.answers.rend(); ++at) {
       const auto pair = undamped->second.answers.find(at->first);
       if (pair == undamped->second.answers.end()) continue;

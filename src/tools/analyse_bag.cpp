@@ -4,8 +4,10 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +35,11 @@ class Pipeline {
         name_space_(std::move(name_space)) {}
 
   void add(const rosbag::MessageInstance& message) {
+    if (is_of_wall(message.getTopic())) {
+      count<lattice_impact::Lattice>(message) || count<lattice_impact::ParticleStates>(message) ||
+          count<lattice_impact::ContactForces>(message);
+      return;
+    }
     take<lattice_impact::Lattice>(message) || take<lattice_impact::ParticleStates>(message) ||
         take<lattice_impact::ContactForces>(message) || take_status(message) ||
         count<lattice_impact::Strain>(message) || count<lattice_impact::Restitution>(message) ||
@@ -42,9 +49,11 @@ class Pipeline {
   void close() {
     analysis_.close();
     for (const auto& status : last_status_) {
-      published_[type<lattice_impact::Lattice>()] += 1;
-      published_[type<lattice_impact::ParticleStates>()] += status.second.states;
-      published_[type<lattice_impact::ContactForces>()] += status.second.states;
+      count_published("", status.second.states);
+      const auto& terms = status.second.terms;
+      if (std::find(terms.begin(), terms.end(), "elastic wall") != terms.end()) {
+        count_published(kWall, status.second.states);
+      }
       published_[type<lattice_impact::RunStatus>()] += status.second.sequence + 1;
       if (status.second.phase == lattice_impact::RunStatus::INTERRUPTED) {
         report(fmt::format("run {}: interrupted", status.first));
@@ -75,7 +84,7 @@ class Pipeline {
 
   const std::vector<YAML::Node>& results() const { return results_; }
 
-  /// The last of each group.
+  /// The last of each group of runs.
   const std::map<std::string, lattice_impact::LawFit>& law_fits() const { return law_fits_; }
 
  private:
@@ -84,8 +93,21 @@ class Pipeline {
     fmt::print(stderr, "analyse_bag: {}: {}\n", name_space_, problem);
   }
 
+  /// The topics of an elastic wall are counted only.
+  static constexpr const char* kWall = "wall/";
+  bool is_of_wall(const std::string& topic) const {
+    const std::string prefix = (name_space_ == "/" ? "" : name_space_) + "/" + kWall;
+    return topic.compare(0, prefix.size(), prefix) == 0;
+  }
+
+  void count_published(const std::string& body, std::uint32_t states) {
+    published_[body + type<lattice_impact::Lattice>()] += 1;
+    published_[body + type<lattice_impact::ParticleStates>()] += states;
+    published_[body + type<lattice_impact::ContactForces>()] += states;
+  }
+
   struct Topic {
-    std::string type;
+    std::string type;  ///< of its messages, after "wall/" where it is the wall's
     std::uint64_t recorded = 0;
   };
 
@@ -98,7 +120,7 @@ class Pipeline {
   bool count(const rosbag::MessageInstance& message) {
     if (!message.isType<Message>()) return false;
     Topic& topic = topics_[message.getTopic()];
-    topic.type = type<Message>();
+    topic.type = (is_of_wall(message.getTopic()) ? kWall : "") + type<Message>();
     ++topic.recorded;
     return true;
   }
@@ -150,7 +172,7 @@ class Pipeline {
   SeriesAnalysis analysis_;
   std::string name_space_;
   std::map<std::string, Topic> topics_;                             ///< recorded, by name
-  std::map<std::string, std::uint64_t> published_;                  ///< by type
+  std::map<std::string, std::uint64_t> published_;                  ///< by Topic::type
   std::map<std::uint32_t, lattice_impact::RunStatus> last_status_;  ///< by run
   std::vector<YAML::Node> results_;
   std::map<std::string, lattice_impact::LawFit> law_fits_;  ///< by the keys that the runs share
@@ -160,6 +182,25 @@ class Pipeline {
 std::string name_space_of(const std::string& topic) {
   const std::size_t slash = topic.rfind('/');
   return slash == 0 || slash == std::string::npos ? "/" : topic.substr(0, slash);
+}
+
+/// The namespaces in which a simulation publishes.
+std::set<std::string> simulations(rosbag::View& view) {
+  std::set<std::string> name_spaces;
+  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
+    if (connection->datatype == ros::message_traits::DataType<lattice_impact::RunStatus>::value()) {
+      name_spaces.insert(name_space_of(connection->topic));
+    }
+  }
+  return name_spaces;
+}
+
+/// The namespace of the simulation that published this topic: that of the topic itself, or the one
+/// above it for the topics of an elastic wall.
+std::string pipeline_of(const std::string& topic, const std::set<std::string>& simulations) {
+  const std::string name_space = name_space_of(topic);
+  const std::string above = name_space_of(name_space);
+  return simulations.count(name_space) == 0 && simulations.count(above) > 0 ? above : name_space;
 }
 
 void analyse(const std::string& file, const ElasticParameters& elastic) {
@@ -173,8 +214,10 @@ void analyse(const std::string& file, const ElasticParameters& elastic) {
   }
 
   std::map<std::string, Pipeline> pipelines;
-  for (const rosbag::MessageInstance& message : rosbag::View(bag)) {
-    const std::string name_space = name_space_of(message.getTopic());
+  rosbag::View view(bag);
+  const std::set<std::string> name_spaces = simulations(view);
+  for (const rosbag::MessageInstance& message : view) {
+    const std::string name_space = pipeline_of(message.getTopic(), name_spaces);
     pipelines.try_emplace(name_space, name_space, elastic).first->second.add(message);
   }
 
@@ -186,8 +229,9 @@ void analyse(const std::string& file, const ElasticParameters& elastic) {
     YAML::Node node;
     node["topics"] = pipeline.second.topics();
     for (const YAML::Node& result : pipeline.second.results()) node["runs"].push_back(result);
-    for (const auto& law : pipeline.second.law_fits())
-      node["law_fits"].push_back(to_yaml(law.second));
+    for (const auto& law : pipeline.second.law_fits()) {
+      if (law.second.x.size() > 1) node["law_fits"].push_back(to_yaml(law.second));
+    }
     document[pipeline.first] = node;
     complete = complete && pipeline.second.complete();
   }
