@@ -9,7 +9,6 @@
 namespace impact {
 namespace {
 
-constexpr double kPaperB = 1.55;
 
 std::vector<DataPoint> weighted_by_runs(const std::vector<MeanPoint>& points) {
   std::vector<DataPoint> data;
@@ -53,7 +52,7 @@ LawFit hertz_law_fit(const std::vector<MeanPoint>& points, const ElasticDisk& di
   LawFit law;
   law.law = "hertz";
   law.points = points;
-  law.parameters = {{"b", {LawFit::kNaN, LawFit::kNaN}, kPaperB}};
+  law.parameters = {{"b", {LawFit::kNaN, LawFit::kNaN}, kPaperHertzFactor}};
   const double b = 1.0 - disk.poisson_ratio * disk.poisson_ratio;
   for (const MeanPoint& point : points) {
     law.theory.push_back(hertz_compression(disk, b, point.x));

@@ -52,6 +52,9 @@ LawFit restitution_law_fit(const std::vector<MeanPoint>& points, double young_mo
                            double dissipation_time,
                            const std::array<double, 2>& paper = {LawFit::kNaN, LawFit::kNaN});
 
+/// b of the paper's figure 2.
+constexpr double kPaperHertzFactor = 1.55;
+
 /// d₁ and d₂ of the paper's figure 6, the absorbing wall.
 constexpr std::array<double, 2> kPaperAbsorbingWall{0.973, 0.119};
 

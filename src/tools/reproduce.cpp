@@ -1,0 +1,72 @@
+// The figures of the paper over an ensemble of lattices, as CSV and as plots.
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <thread>
+
+#include "tools/interruption.hpp"
+#include "tools/program.hpp"
+#include "tools/reproduction.hpp"
+
+namespace impact {
+namespace {
+
+/// Becomes the plotting program, which lies beside this one.
+[[noreturn]] void plot(const std::filesystem::path& folder, const std::string& figure) {
+  const std::string program =
+      std::filesystem::read_symlink("/proc/self/exe").replace_filename("plot_figures").string();
+  execl(program.c_str(), program.c_str(), figure.c_str(), folder.c_str(), nullptr);
+  throw std::runtime_error(
+      fmt::format("{}: {}; the CSV files are complete", program, std::strerror(errno)));
+}
+
+void reproduce(const std::string& figure, const Reproduction& reproduction) {
+  std::error_code error;
+  std::filesystem::create_directories(reproduction.folder, error);
+  if (error) {
+    throw InputError(
+        fmt::format("--output: {}: {}", reproduction.folder.string(), error.message()));
+  }
+  take_interruptions();
+  const bool all = figure == "all";
+  const Material material = measure_material(reproduction);
+  if (all) draw_lattices(reproduction);
+  if (all || figure == "figure2") reproduce_figure2(reproduction, material);
+  if (all || figure == "figure3") reproduce_figure3(reproduction, material);
+  if (all || figure == "figure6") reproduce_figure6(reproduction, material);
+  plot(reproduction.folder, figure);
+}
+
+}  // namespace
+}  // namespace impact
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Reproduces the figures of the paper over an ensemble of lattices, as CSV, SVG and PNG. An "
+      "interrupted command is taken up again where it was.",
+      "reproduce");
+  std::string figure;
+  impact::Reproduction reproduction;
+  reproduction.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  app.add_option("figure", figure, "figure2, figure3, figure6 or all (also figures 1 and 4)")
+      ->required()
+      ->check(CLI::IsMember(std::set<std::string>{"figure2", "figure3", "figure6", "all"}));
+  std::string folder;
+  app.add_option("--output", folder, "folder for the results")->required();
+  app.add_option("--lattices", reproduction.lattices, "size of the ensemble")
+      ->capture_default_str()
+      ->check(CLI::Range(2, 100000));
+  app.add_option("--jobs", reproduction.jobs, "threads")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  return impact::run_tool(app, argc, argv, [&] {
+    reproduction.folder = folder;
+    impact::reproduce(figure, reproduction);
+  });
+}

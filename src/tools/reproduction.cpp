@@ -1,0 +1,28 @@
+#include "tools/reproduction.hpp"
+
+#include "tools/interruption.hpp"
+#include "tools/progress_bar.hpp"
+#include "tools/series.hpp"
+
+namespace impact {
+
+std::vector<Row> simulate(const Reproduction& reproduction, const std::string& name,
+                          const std::vector<Scene>& scenes) {
+  ProgressBar bar(scenes.size());
+  return run_series(scenes, reproduction.folder / (name + "_runs.csv"),
+                    {reproduction.jobs, [&bar](std::size_t done) { bar.show(done); }, interrupted});
+}
+
+std::vector<Scene> with_seeds(const std::vector<Scene>& scenes, int lattices) {
+  std::vector<Scene> all;
+  all.reserve(scenes.size() * static_cast<std::size_t>(lattices));
+  for (int seed = 1; seed <= lattices; ++seed) {
+    for (Scene scene : scenes) {
+      scene.seed = static_cast<std::uint64_t>(seed);
+      all.push_back(scene);
+    }
+  }
+  return all;
+}
+
+}  // namespace impact
