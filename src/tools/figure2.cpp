@@ -11,9 +11,7 @@
 namespace impact {
 namespace {
 
-constexpr double kLowestLoad = 0.004;  // M c²/R, as in the paper
-constexpr double kHighestLoad = 0.010;
-constexpr int kLoads = 7;
+const std::vector<double> kLoads{0.004, 0.005, 0.006, 0.007, 0.008, 0.009, 0.010};  // M c²/R
 constexpr ElasticDisk kPaperDisk{1.0, 0.075};  // only P/(πE) counts, so E may be 1
 
 /// Pressure is sampled in bins of this part of Hertz's half width.
@@ -37,7 +35,7 @@ struct Case {
 std::vector<Case> cases() {
   std::vector<Case> all;
   const auto add = [&all](const char* name) -> Scene& {
-    all.push_back({name, contact(kHighestLoad)});
+    all.push_back({name, contact(kLoads.back())});
     return all.back().scene;
   };
   add("default");
@@ -52,11 +50,8 @@ std::vector<Case> cases() {
 }
 
 std::vector<Scene> loaded(const Scene& scene) {
-  std::vector<Scene> scenes;
-  for (int k = 0; k < kLoads; ++k) {
-    scenes.push_back(scene);
-    scenes.back().load.p = (kLowestLoad * (kLoads - 1 - k) + kHighestLoad * k) / (kLoads - 1);
-  }
+  std::vector<Scene> scenes(kLoads.size(), scene);
+  for (std::size_t k = 0; k < kLoads.size(); ++k) scenes[k].load.p = kLoads[k];
   return scenes;
 }
 
@@ -142,7 +137,7 @@ PressureProfile pressure_profile(const Reproduction& reproduction, const Elastic
 }
 
 void write_pressure(const Reproduction& reproduction, const ElasticDisk& disk) {
-  Scene coarse = contact(kHighestLoad);
+  Scene coarse = contact(kLoads.back());
   Scene fine = coarse;
   fine.disk.recipe.points = 16000;
   Scene fine_and_hard = fine;
@@ -179,7 +174,7 @@ void reproduce_figure2(const Reproduction& reproduction, const Material& materia
               "b_fit_error", "residual", "theory", "inertial_load", "paper"});
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Ensemble curves =
-        ensemble(every(rows, k * kLoads, kLoads, scenes.size()), load_of, "strain");
+        ensemble(every(rows, k * kLoads.size(), kLoads.size(), scenes.size()), load_of, "strain");
     const ElasticDisk& disk = material.of(all[k].scene.disk.recipe.placement);
     const EnsembleFit fit = fit_ensemble(
         curves, [&disk](const std::vector<DataPoint>& points) { return fit_hertz(points, disk); });

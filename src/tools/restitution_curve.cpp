@@ -9,10 +9,9 @@
 namespace impact {
 namespace {
 
-constexpr double kLowestSpeed = 0.003;  // c, as in the paper
-constexpr double kHighestSpeed = 0.05;
-constexpr int kSpeeds = 10;
-constexpr double kSpeedOfHardWall = 0.01;  // c
+const std::vector<double> kSpeeds{0.003,  0.0041, 0.0056, 0.0077, 0.0105,
+                                  0.0143, 0.0196, 0.0268, 0.0366, 0.05};  // c
+constexpr double kSpeedOfHardWall = 0.01;                                 // c
 
 Ensemble in_units_of(Ensemble curves, double unit) {
   for (double& x : curves.x) x /= unit;
@@ -45,12 +44,8 @@ void add_fit(const std::string& name, const char* speed, const Ensemble& curves,
 }  // namespace
 
 std::vector<Scene> at_all_speeds(const Scene& scene) {
-  std::vector<Scene> scenes;
-  for (int k = 0; k < kSpeeds; ++k) {
-    scenes.push_back(scene);
-    scenes.back().impact.velocity =
-        kLowestSpeed * std::pow(kHighestSpeed / kLowestSpeed, k / (kSpeeds - 1.0));
-  }
+  std::vector<Scene> scenes(kSpeeds.size(), scene);
+  for (std::size_t k = 0; k < kSpeeds.size(); ++k) scenes[k].impact.velocity = kSpeeds[k];
   return scenes;
 }
 

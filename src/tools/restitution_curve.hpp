@@ -9,7 +9,7 @@
 
 namespace impact {
 
-/// The scene at the speeds of figures 3 and 6: 3·10⁻³ … 5·10⁻² c, ten of them, evenly in log v.
+/// The scene at ten speeds of figures 3 and 6, from 3·10⁻³ to 5·10⁻² c, about evenly in log v.
 std::vector<Scene> at_all_speeds(const Scene& scene);
 
 double speed_of(const Scene& scene);
