@@ -41,7 +41,8 @@ Ensemble ensemble(const std::vector<Row>& rows, const std::function<double(const
   for (const Row& row : rows) {
     const double x = abscissa(row.scene);
     places.insert(x);
-    if (row.flags.empty()) curves[row.scene.seed][x] = row.results.at(result);
+    const bool sound = row.flags.empty() || row.flags == "step_reduced";
+    if (sound) curves[row.scene.seed][x] = row.results.at(result);
   }
   Ensemble all{{places.begin(), places.end()}, {}};
   for (const auto& [seed, curve] : curves) {

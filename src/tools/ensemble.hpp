@@ -16,7 +16,7 @@ struct Ensemble {
 };
 
 /// The curves of one result over one abscissa, one for each seed. A lattice of which a run has
-/// flags is left out.
+/// flags other than step_reduced is left out.
 Ensemble ensemble(const std::vector<Row>& rows, const std::function<double(const Scene&)>& abscissa,
                   const std::string& result);
 
