@@ -53,5 +53,20 @@ TEST(TriangulatedLattice, KeepsThePointsAndBondsThemAsTheTriangulationDoes) {
   }
 }
 
+TEST(Joined, KeepsBothLatticesSideBySide) {
+  const Lattice square = make_lattice(unit_square(), {{0, 1}, {1, 2}, {2, 3}, {0, 3}, {0, 2}});
+  PointArray points(3, 2);
+  points << 5, 0, 8, 0, 5, 4;
+  const Lattice triangle = make_lattice(points, {{0, 1}, {0, 2}, {1, 2}});
+  const Lattice both = joined(square, triangle);
+  ASSERT_EQ(both.points.rows(), 7);
+  EXPECT_TRUE((both.points.topRows(4) == square.points).all());
+  EXPECT_TRUE((both.points.bottomRows(3) == triangle.points).all());
+  const std::vector<Bond> bonds{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {2, 3}, {4, 5}, {4, 6}, {5, 6}};
+  EXPECT_EQ(both.bonds, bonds);
+  const std::vector<double> lengths{1.0, std::sqrt(2.0), 1.0, 1.0, 1.0, 3.0, 4.0, 5.0};
+  EXPECT_EQ(both.natural_lengths, lengths);
+}
+
 }  // namespace
 }  // namespace impact
