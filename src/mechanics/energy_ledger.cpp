@@ -18,12 +18,12 @@ EnergyLedger energy_ledger(const ForceField& field, const State& state, const Lo
   ledger.wall = field.wall_potential_energy(state.position);
   if (field.load) ledger.load = field.load->potential_energy(state.position);
   ledger.dissipated = losses.dissipated;
+  ledger.absorbed = losses.absorbed;
   if (!field.elastic_wall) return ledger;
 
   ledger.wall_lattice =
       0.5 * field.point_mass * state.velocity.bottomRows(field.wall_points).square().sum() +
       field.bonds.potential_energy(state.position, disk, all);
-  ledger.absorbed = losses.absorbed;
   ledger.hops = -field.elastic_wall->hops();
   ledger.hops_size = field.elastic_wall->hops_size();
   return ledger;
