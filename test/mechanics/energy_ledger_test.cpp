@@ -44,5 +44,32 @@ TEST(EnergyLedger, CountsOnlyTheTermsThereAre) {
   EXPECT_EQ(full.load, field.load->potential_energy(state.position));
 }
 
+/// Of an elastic wall: its own motion and bonds apart from the disk's.
+TEST(EnergyLedger, KeepsTheWallApartFromTheDisk) {
+  PointArray above = triangle().points;
+  above.col(1) += 2.0;
+  const Lattice both = joined(plain_lattice(above, triangle().bonds), triangle());
+  ForceField field{BondForces(both, {1.0, 0.0, 0.0}), 1.0 / 3.0};
+  field.wall_points = 3;
+  field.elastic_wall.emplace(WallContact(10.0, 0.1), 0.2, GapMeasure::kNormal, 3,
+                             std::vector<std::int32_t>{3, 4}, both.points);
+  State state;
+  state.position = both.points;
+  state.position(0, 0) -= 0.2;  // stretches one bond of the disk by 0.2, changes another
+  state.position(4, 0) += 0.1;
+  state.velocity = PointArray::Zero(6, 2);
+  state.velocity.topRows(3).col(0) = 2.0;
+  state.velocity(5, 1) = 3.0;
+  const EnergyLedger ledger = energy_ledger(field, state, {0.0, 0.25});
+  EXPECT_DOUBLE_EQ(ledger.kinetic(), 2.0);
+  const double bonds = field.bonds.potential_energy(state.position);
+  const double of_wall = field.bonds.potential_energy(state.position, 3, 6);
+  EXPECT_GT(of_wall, 0.004);
+  EXPECT_DOUBLE_EQ(ledger.wall_lattice, 1.5 + of_wall);
+  EXPECT_DOUBLE_EQ(ledger.bonds, bonds - of_wall);
+  EXPECT_EQ(ledger.absorbed, 0.25);
+  EXPECT_DOUBLE_EQ(ledger.total(), 2.0 + 1.5 + bonds + 0.25);
+}
+
 }  // namespace
 }  // namespace impact

@@ -19,6 +19,24 @@ TEST(ForceField, HasOnlyTheTermsItWasGiven) {
   EXPECT_EQ(field.terms(), (Names{"bonds", "potential wall", "compression load", "rotation hold"}));
 }
 
+TEST(ForceField, NamesTheTermsOfAnElasticWall) {
+  const PointArray points = triangle().points;
+  ForceField field{BondForces(triangle(), {1.0, 0.0, 0.0}), 1.0};
+  EXPECT_EQ(field.contact(), nullptr);
+  EXPECT_FALSE(field.damped());
+  field.wall_points = 2;
+  field.elastic_wall.emplace(WallContact(300.0, 0.1), 0.2, GapMeasure::kNormal, 1,
+                             std::vector<std::int32_t>{1, 2}, points);
+  EXPECT_EQ(field.contact(), &*field.elastic_wall);
+  field.velocity_reset.emplace(std::vector<std::int32_t>{2}, 0.1);
+  field.supports.emplace(std::vector<std::int32_t>{2}, std::vector<std::int32_t>{});
+  EXPECT_FALSE(field.damped());
+  field.viscous_boundary.emplace(std::vector<ViscousBoundary::Dashpot>{{2, {1.0, 1.0}}});
+  EXPECT_TRUE(field.damped());
+  EXPECT_EQ(field.terms(),
+            (Names{"bonds", "elastic wall", "viscous boundary", "velocity reset", "supports"}));
+}
+
 TEST(ForceField, SumsItsTerms) {
   ForceField field{BondForces(triangle(), {1.0, 0.0, 0.0}), 1.0 / 3.0};
   field.wall.emplace(10.0, 0.1);

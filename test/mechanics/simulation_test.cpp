@@ -6,6 +6,7 @@
 
 #include "mechanics/body_motion.hpp"
 #include "test_lattices.hpp"
+#include "two_bodies.hpp"
 
 namespace impact {
 namespace {
@@ -131,6 +132,78 @@ TEST(Simulation, StaticForceLeavesOutTheDamping) {
   Simulation simulation = patch_simulation(5e-3, 0.02);
   // Far from the wall and unstrained, though in motion.
   EXPECT_LT(simulation.largest_static_force(), 1.001 * simulation.field().wall->force_at(0.2));
+}
+
+/// Total momentum and angular momentum about the origin of all points, M c and M c R.
+Eigen::Array3d momenta(const State& state) {
+  const auto& r = state.position;
+  const auto& v = state.velocity;
+  return TwoBodies::kMass * Eigen::Array3d(v.col(0).sum(), v.col(1).sum(),
+                                           (r.col(0) * v.col(1) - r.col(1) * v.col(0)).sum());
+}
+
+/// Nothing acts from outside, and the contact balances force and torque, hops or not.
+TEST(TwoBodies, KeepTheirMomenta) {
+  for (const double sideways : {0.0, 0.3}) {
+    Simulation simulation = TwoBodies(2.4, {sideways, -0.1}).simulation(0.01);
+    const Eigen::Array3d start = momenta(simulation.state());
+    double impulse = 0.0;
+    while (simulation.state().time < 12.0) {
+      simulation.step();
+      impulse += simulation.step_size() * simulation.field().elastic_wall->total_force().y();
+      // Rounding of 39 points over 1200 steps.
+      EXPECT_LT((momenta(simulation.state()) - start).abs().maxCoeff(), 1e-13);
+    }
+    EXPECT_GT(impulse, 0.1);
+  }
+}
+
+/// Largest deviation of a sum of energies from its value at the start.
+template <class Energy>
+double largest_deviation(Simulation& simulation, double time, const Energy& energy) {
+  const double start = energy(simulation.ledger());
+  double largest = 0.0;
+  while (simulation.state().time < time) {
+    simulation.step();
+    largest = std::max(largest, std::abs(energy(simulation.ledger()) - start));
+  }
+  return largest;
+}
+
+/// A contact that stays on its bond; what comes into reach at the threshold is e⁻⁴⁰ of the wall's
+/// energy.
+TEST(TwoBodies, LedgerClosesToSecondOrderWithoutHops) {
+  for (const GapMeasure measure : {GapMeasure::kNormal, GapMeasure::kVertical}) {
+    const auto defect = [&](double step) {
+      Simulation simulation = TwoBodies(2.4, {0.01, -0.1}, measure).simulation(step);
+      const double largest = largest_deviation(
+          simulation, 10.0, [](const EnergyLedger& ledger) { return ledger.total(); });
+      EXPECT_LT(simulation.ledger().hops_size, 1e-12);
+      EXPECT_GT(simulation.ledger().wall_lattice, 1e-4);
+      return largest;
+    };
+    EXPECT_NEAR(std::log2(defect(8e-3) / defect(4e-3)), 2.0, 0.15);
+  }
+}
+
+/// A hexagon thrown aslant, whose points pass from bond to bond under load. A hop happens within a
+/// step, but is found at its end: where the force jumps by ΔF, the trapezoidal rule misses up to
+/// h |ΔF · v|/2. So the ledger closes to first order, and without the hops it does not close.
+TEST(TwoBodies, LedgerClosesToFirstOrderWhereHopsAreCounted) {
+  const auto defect = [](double step, bool count_hops) {
+    Simulation simulation = TwoBodies(1.4, {0.3, -0.5}, GapMeasure::kNormal, 10.0).simulation(step);
+    const double largest =
+        largest_deviation(simulation, 14.0, [count_hops](const EnergyLedger& ledger) {
+          return ledger.total() - (count_hops ? 0.0 : ledger.hops);
+        });
+    EXPECT_GT(simulation.ledger().hops_size, 4e-4);
+    return largest;
+  };
+  const double coarse = defect(1e-3, true);
+  const double fine = defect(5e-4, true);
+  // Other hops fall into other places of their steps: that moves the sum by a few per cent.
+  EXPECT_NEAR(coarse / fine, 2.0, 0.2);
+  EXPECT_GT(defect(5e-4, false), 20.0 * fine);
 }
 
 }  // namespace

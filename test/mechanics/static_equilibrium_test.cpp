@@ -97,5 +97,46 @@ TEST(FindEquilibrium, SaysWhenThereIsNone) {
   EXPECT_FALSE(find_equilibrium(field, position, 1e-14).found);
 }
 
+/// A triangular patch drawn out by grips that let its ends contract. Uniaxial stress leaves the
+/// inclined bonds without tension, so that the solution is exact: every row is stretched evenly,
+/// every inclined bond keeps its length. E = 2/√3 k_a, ν = 1/3.
+TEST(FindEquilibrium, OfAStretchedPatchWithFrictionlessGrips) {
+  constexpr int kColumns = 9;
+  constexpr int kRows = 6;
+  constexpr double kStrain = 1e-3;
+  const Lattice lattice = triangular_patch(kColumns, kRows);
+  ForceField field{BondForces(lattice, {1.0, 0.0, 0.0}), 1.0};
+  std::vector<std::int32_t> grips;
+  for (int row = 0; row < kRows; ++row) {
+    grips.push_back(row * kColumns);
+    grips.push_back(row * kColumns + kColumns - 1);
+  }
+  field.supports.emplace(grips, std::vector<std::int32_t>{});
+  PointArray position = lattice.points;
+  position.col(0) *= 1.0 + kStrain;
+  ASSERT_TRUE(find_equilibrium(field, position, 1e-14).found);
+
+  // A force of 10⁻¹⁴ stops the search; soft modes are weaker than a bond by about 100.
+  constexpr double kRest = 1e-12;
+  const PointArray stretched = (1.0 + kStrain) * lattice.points;
+  EXPECT_LT((position.col(0) - stretched.col(0)).abs().maxCoeff(), kRest);
+  for (std::size_t k = 0; k < lattice.bonds.size(); ++k) {
+    const auto [i, j] = lattice.bonds[k];
+    const bool in_row = i / kColumns == j / kColumns;
+    EXPECT_NEAR((position.row(i) - position.row(j)).matrix().norm(), in_row ? 1.0 + kStrain : 1.0,
+                kRest);
+  }
+  PointArray force = PointArray::Zero(position.rows(), 2);
+  field.bonds.add_forces(position, position, force);
+  double pull = 0.0;
+  for (int row = 0; row < kRows; ++row) pull += force(row * kColumns, 0);
+  const double height = kRows * std::sqrt(0.75);  // one row's share of it each
+  EXPECT_NEAR(pull / height / kStrain, 2.0 / std::sqrt(3.0), 1e-8);
+  const double contraction =
+      1.0 - (position(position.rows() - 1, 1) - position(0, 1)) / ((kRows - 1) * std::sqrt(0.75));
+  // To the order of the strain.
+  EXPECT_NEAR(contraction / kStrain, 1.0 / 3.0, kStrain);
+}
+
 }  // namespace
 }  // namespace impact

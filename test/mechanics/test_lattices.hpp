@@ -30,23 +30,24 @@ inline Lattice triangle() {
   return plain_lattice(points, {{0, 1}, {0, 2}, {1, 2}});
 }
 
-/// A patch of `side` × `side` points of the triangular lattice with bonds of length 1, its rows
-/// along x.
-inline Lattice triangular_patch(int side) {
-  PointArray points(side * side, 2);
+/// A patch of the triangular lattice with bonds of length 1, its rows along x. The row 0 is the
+/// lowest; points are stored row after row.
+inline Lattice triangular_patch(int columns, int rows) {
+  PointArray points(columns * rows, 2);
   std::vector<Bond> bonds;
-  for (int row = 0; row < side; ++row) {
-    for (int column = 0; column < side; ++column) {
-      const int i = row * side + column;
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const int i = row * columns + column;
       points.row(i) << column + 0.5 * (row % 2), row * std::sqrt(0.75);
-      if (column + 1 < side) bonds.push_back({i, i + 1});
-      if (row + 1 == side) continue;
-      bonds.push_back({i, i + side});
+      if (column + 1 < columns) bonds.push_back({i, i + 1});
+      if (row + 1 == rows) continue;
+      bonds.push_back({i, i + columns});
       const int other = column + (row % 2 == 0 ? -1 : 1);
-      if (other >= 0 && other < side) bonds.push_back({i, (row + 1) * side + other});
+      if (other >= 0 && other < columns) bonds.push_back({i, (row + 1) * columns + other});
     }
   }
   return plain_lattice(points, bonds);
 }
+inline Lattice triangular_patch(int side) { return triangular_patch(side, side); }
 
 }  // namespace impact
