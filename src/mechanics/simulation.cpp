@@ -33,9 +33,9 @@ void Simulation::step() {
 void Simulation::reset_velocities() {
   const VelocityReset& reset = *field_.velocity_reset;
   const auto steps = static_cast<std::uint64_t>(std::llround(reset.interval() / step_size_));
-  if (ticks_ % steps == 0) {
-    losses_.absorbed += reset.apply(state_.velocity, field_.point_mass);
-  }
+  if (ticks_ % steps != 0) return;
+  losses_.absorbed += reset.apply(state_.velocity, field_.point_mass);
+  if (field_.damped()) integrator_.evaluate(field_, state_);
 }
 
 bool Simulation::settle(double tolerance) {

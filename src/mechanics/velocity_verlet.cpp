@@ -7,6 +7,10 @@ namespace impact {
 VelocityVerlet::VelocityVerlet(ForceField& field, const State& state)
     : acceleration_(state.position.rows(), 2) {
   if (field.damped()) predicted_velocity_.resizeLike(state.velocity);
+  evaluate(field, state);
+}
+
+void VelocityVerlet::evaluate(ForceField& field, const State& state) {
   power_ = field.evaluate(state.position, state.velocity, acceleration_);
   acceleration_ /= field.point_mass;
 }

@@ -23,6 +23,9 @@ class VelocityVerlet {
   /// Evaluates the forces at the initial state.
   VelocityVerlet(ForceField& field, const State& state);
 
+  /// Evaluates the forces anew, at a state that was changed from outside.
+  void evaluate(ForceField& field, const State& state);
+
   /// Advances position and velocity by h (R/c) with one force evaluation; leaves time and step
   /// count to the caller. Returns the energy lost (M c², trapezoidal rule).
   Losses step(ForceField& field, State& state, double h);
