@@ -26,12 +26,72 @@ TEST(ParseScene, RefusesKeysOfOtherScenes) {
                      "impact.velocity: unknown key");
 }
 
+/// Those that are absent from a scene although others have them.
+std::string missing_keys(const std::string& yaml) {
+  const Scene scene = parse(yaml);
+  std::string missing;
+  for (const Parameter<Scene>& parameter : scene_parameters()) {
+    if (!parameter.applies(scene)) missing += parameter.key + " ";
+  }
+  return missing;
+}
+
+TEST(ParseScene, HasTheKeysOfItsKind) {
+  const std::string of_elastic_wall =
+      "wall.points wall.width wall.height wall.threshold wall.gap_measure wall.boundary "
+      "wall.reset_interval wall.file ";
+  const std::string of_contact = "load.P load.hold_rotation ";
+  const std::string of_collision = "impact.velocity impact.gap ";
+  const std::string of_stretch = "stretch.width stretch.height stretch.strain ";
+  const std::string of_motion = "disk.rim disk.file material.eta wall.type wall.a wall.V0 ";
+  EXPECT_EQ(missing_keys("{scene: collision}"), of_elastic_wall + of_contact + of_stretch);
+  EXPECT_EQ(missing_keys("{scene: collision, wall: {type: lattice}}"), of_contact + of_stretch);
+  EXPECT_EQ(missing_keys("{scene: contact, material: {eta: 1}}"),
+            of_elastic_wall + of_collision + of_stretch);
+  EXPECT_EQ(missing_keys("{scene: stretch}"), of_motion + of_elastic_wall + of_contact +
+                                                  of_collision + "numerics.step output.period ");
+}
+
+TEST(ParseScene, ReadsAnElasticWall) {
+  const Scene::Wall wall =
+      parse(
+          "{scene: collision, wall: {type: lattice, points: 500, width: 3, height: auto, "
+          "threshold: 0.1, gap_measure: vertical, boundary: viscous, reset_interval: 0.01, "
+          "file: wall.data}}")
+          .wall;
+  EXPECT_EQ(wall.kind, WallKind::kLattice);
+  EXPECT_EQ(wall.points, 500);
+  EXPECT_EQ(wall.width, 3.0);
+  EXPECT_FALSE(wall.height.has_value());
+  EXPECT_EQ(wall.threshold, 0.1);
+  EXPECT_EQ(wall.gap, GapMeasure::kVertical);
+  EXPECT_EQ(wall.boundary, Boundary::kViscous);
+  EXPECT_EQ(wall.reset_interval, 0.01);
+  EXPECT_EQ(wall.file, "wall.data");
+  EXPECT_EQ(parse("{scene: collision, wall: {boundary: fixed, type: lattice}}").wall.boundary,
+            Boundary::kFixed);
+}
+
+TEST(ParseScene, RefusesKeysOfAnElasticWallWithoutOne) {
+  EXPECT_INPUT_ERROR(parse("{scene: collision, wall: {boundary: fixed}}"),
+                     "wall.boundary: unknown key");
+  EXPECT_INPUT_ERROR(parse("{scene: stretch, wall: {type: lattice}}"), "wall.type: unknown key");
+  EXPECT_INPUT_ERROR(parse("{scene: stretch, output: {period: 0.1}}"),
+                     "output.period: unknown key");
+}
+
 TEST(ParseScene, RefusesWhatDoesNotGoTogether) {
   EXPECT_INPUT_ERROR(parse("{seed: 1}"), "scene: got nothing, allowed: contact or collision");
   EXPECT_INPUT_ERROR(parse("{scene: contact}"), "material.eta: got 0, allowed: above 0");
   EXPECT_NO_THROW(parse("{scene: contact, numerics: {integrator: newton}}"));
   EXPECT_INPUT_ERROR(parse("{scene: collision, numerics: {integrator: newton}}"),
                      "numerics.integrator: got newton, allowed: auto or verlet");
+  EXPECT_INPUT_ERROR(parse("{scene: stretch, numerics: {integrator: verlet}}"),
+                     "numerics.integrator: got verlet, allowed: auto or newton in a stretch scene");
+  EXPECT_INPUT_ERROR(parse("{scene: stretch, stretch: {strain: 0}}"),
+                     "stretch.strain: got 0, allowed: above or below 0");
+  EXPECT_INPUT_ERROR(parse("{scene: contact, material: {eta: 1}, wall: {type: lattice}}"),
+                     "wall.type: got lattice, allowed: potential in a contact scene");
 }
 
 TEST(ParseSeries, TakesEveryCombination) {
@@ -61,6 +121,19 @@ TEST(ToYaml, ReadsBackToTheSameScene) {
   EXPECT_EQ(to_yaml(scene).find("impact"), std::string::npos);
 }
 
+TEST(ToYaml, ReadsBackAnElasticWallAndAStretch) {
+  Scene wall = parse("{scene: collision, wall: {type: lattice, width: 3, boundary: fixed}}");
+  wall.wall.threshold = 1.0 / 3.0;
+  const Scene again = parse(to_yaml(wall));
+  EXPECT_EQ(to_yaml(again), to_yaml(wall));
+  EXPECT_EQ(again.wall.threshold, wall.wall.threshold);
+  EXPECT_EQ(again.wall.boundary, Boundary::kFixed);
+  Scene stretch = parse("{scene: stretch, stretch: {strain: -0.001}}");
+  stretch.stretch.width = 10.0 / 3.0;
+  EXPECT_EQ(parse(to_yaml(stretch)).stretch.width, stretch.stretch.width);
+  EXPECT_EQ(to_yaml(stretch).find("wall"), std::string::npos);
+}
+
 TEST(OverrideKey, ReplacesOneKey) {
   FlatTree tree = keys("{scene: collision, impact: {velocity: 0.01}}");
   override_key(tree, "impact.velocity=0.05");
@@ -80,17 +153,20 @@ TEST(LoadKeys, SaysWhyAFileCannotBeUsed) {
 
 class SceneFiles : public testing::TestWithParam<const char*> {};
 
-/// The scene files show every key that their scene has.
+/// The scene files show every key that their scene has, except for files that replace a recipe.
 TEST_P(SceneFiles, AreCompleteAndValid) {
   const FlatTree tree = load_keys(std::string(SOURCE_DIR "/launch/scenes/") + GetParam());
   const Scene scene = parse_scene(tree);
   for (const Parameter<Scene>& parameter : scene_parameters()) {
-    if (!parameter.applies(scene) || parameter.key == "disk.file") continue;
+    const bool replaces = parameter.key == "disk.file" || parameter.key == "wall.file";
+    if (!parameter.applies(scene) || replaces) continue;
     EXPECT_EQ(tree.count(parameter.key), 1U) << parameter.key;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Launch, SceneFiles, testing::Values("collision.yaml", "contact.yaml"));
+INSTANTIATE_TEST_SUITE_P(Launch, SceneFiles,
+                         testing::Values("collision.yaml", "contact.yaml", "absorbing_wall.yaml",
+                                         "stretch.yaml"));
 
 /// The README's table is the one from which the keys are validated.
 TEST(Readme, HasTheTableOfSceneKeys) {
