@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "expect_input_error.hpp"
 #include "lattice/lammps_data.hpp"
 
@@ -29,6 +31,100 @@ TEST(Compose, BuildsOnlyTheTermsOfTheScene) {
   rolling.load.hold_rotation = false;
   EXPECT_EQ(compose(rolling).field.terms(),
             (Names{"bonds (cubic, damped)", "potential wall", "compression load"}));
+}
+
+Scene elastic_wall_scene(Boundary boundary) {
+  Scene scene;
+  scene.wall.kind = WallKind::kLattice;
+  scene.wall.boundary = boundary;
+  return scene;
+}
+
+TEST(Compose, BuildsTheBoundaryOfTheElasticWall) {
+  const auto terms = [](Boundary boundary) {
+    return compose(elastic_wall_scene(boundary)).field.terms();
+  };
+  EXPECT_EQ(terms(Boundary::kReset), (Names{"bonds (cubic)", "elastic wall", "velocity reset"}));
+  EXPECT_EQ(terms(Boundary::kFixed), (Names{"bonds (cubic)", "elastic wall", "supports"}));
+  EXPECT_EQ(terms(Boundary::kViscous),
+            (Names{"bonds (cubic)", "elastic wall", "viscous boundary"}));
+}
+
+TEST(Compose, BuildsOnlyBondsAndGripsForAStretch) {
+  Scene scene;
+  scene.kind = SceneKind::kStretch;
+  const Composition composition = compose(scene);
+  EXPECT_EQ(composition.field.terms(), (Names{"bonds (cubic)", "supports"}));
+  EXPECT_FALSE(composition.wall_lattice.has_value());
+  // 4 R × 2 R at the density of 1099 points in a disk.
+  EXPECT_EQ(composition.lattice.points.rows(), 2799);
+  const Supports& grips = *composition.field.supports;
+  EXPECT_TRUE(grips.held(1).empty());
+  for (const std::int32_t point : grips.held(0)) {
+    EXPECT_NEAR(std::abs(composition.initial.position(point, 0)), 2.0 * 1.001, 1e-12);
+  }
+  EXPECT_EQ((composition.lattice.points.col(0).abs() == 2.0).count(), grips.held(0).size());
+}
+
+/// The disk's points come first, then the wall's, which rests with its surface at y = 0.
+TEST(Compose, PutsTheDiskAboveTheElasticWall) {
+  const Scene scene = elastic_wall_scene(Boundary::kReset);
+  const Composition composition = compose(scene);
+  ASSERT_TRUE(composition.wall_lattice.has_value());
+  EXPECT_EQ(composition.field.wall_points, 1269);
+  ASSERT_EQ(composition.initial.position.rows(), 1099 + 1269);
+  const PointArray& position = composition.initial.position;
+  EXPECT_TRUE((position.bottomRows(1269) == composition.wall_lattice->points).all());
+  EXPECT_EQ(position.col(1).tail(1269).maxCoeff(), 0.0);
+  EXPECT_TRUE((composition.initial.velocity.bottomRows(1269) == 0.0).all());
+  EXPECT_TRUE((composition.initial.velocity.col(1).head(1099) == -0.01).all());
+  // Lengths rounded by 10⁻¹⁶.
+  EXPECT_LT(composition.field.bonds.potential_energy(position), 1e-28);
+  // Above a flat surface the elastic wall is the potential wall, but for what points further than
+  // the threshold of 0.2 R would add, e⁻⁶⁰ of V₀ each.
+  EXPECT_NEAR(
+      composition.field.elastic_wall->potential_energy(position) / negligible_wall_energy(scene),
+      1.0, 1e-9);
+}
+
+/// The same disk as without an elastic wall.
+TEST(Compose, DoesNotChangeTheDiskForAnElasticWall) {
+  const Composition composition = compose(elastic_wall_scene(Boundary::kFixed));
+  EXPECT_TRUE((composition.lattice.points == compose(Scene{}).lattice.points).all());
+}
+
+/// On the left, right and bottom side both coordinates, on the top none but the corners'.
+TEST(Compose, ClampsThreeSidesOfAFixedWall) {
+  const Composition composition = compose(elastic_wall_scene(Boundary::kFixed));
+  const PointArray& wall = composition.wall_lattice->points;
+  const double side = wall.col(0).maxCoeff();
+  const double bottom = wall.col(1).minCoeff();
+  const Supports& clamps = *composition.field.supports;
+  EXPECT_EQ(clamps.held(0), clamps.held(1));
+  EXPECT_EQ((wall.col(0).abs() == side || wall.col(1) == bottom).count(), clamps.held(0).size());
+  for (const std::int32_t point : clamps.held(0)) {
+    const auto place = wall.row(point - 1099);
+    EXPECT_TRUE(std::abs(place.x()) == side || place.y() == bottom) << place;
+  }
+}
+
+/// The dashpots count in the stability limit.
+TEST(Compose, AddsTheDashpotsToTheSpectrum) {
+  const Composition fixed = compose(elastic_wall_scene(Boundary::kFixed));
+  const Composition viscous = compose(elastic_wall_scene(Boundary::kViscous));
+  EXPECT_EQ(fixed.spectrum.gamma, 0.0);
+  EXPECT_DOUBLE_EQ(viscous.spectrum.gamma,
+                   1099 * viscous.field.viscous_boundary->largest_coefficient());
+  EXPECT_EQ(viscous.spectrum.omega_squared, fixed.spectrum.omega_squared);
+}
+
+TEST(Compose, SaysThatAStretchedRectangleHasTooFewPoints) {
+  Scene scene;
+  scene.kind = SceneKind::kStretch;
+  scene.disk.recipe.points = 10;
+  scene.stretch.width = 10.0;
+  scene.stretch.height = 0.1;
+  EXPECT_INPUT_ERROR(compose(scene), "stretch: ");
 }
 
 TEST(Compose, StartsACollisionWhereTheWallIsNegligible) {

@@ -44,5 +44,36 @@ TEST(ContactRecorder, ReportsSumUpToTheWholeCourse) {
   EXPECT_NEAR(impulse, simulation.state().velocity.col(1).mean() - momentum, 1e-13);
 }
 
+/// What the disk feels, the elastic wall feels the other way.
+TEST(ContactRecorder, ReportsTheReactionsOfAnElasticWall) {
+  Scene scene;
+  scene.disk.recipe.points = 50;
+  scene.impact.velocity = 0.1;
+  scene.wall.kind = WallKind::kLattice;
+  scene.wall.points = 60;
+  Composition composition = compose(scene);
+  Simulation simulation(std::move(composition.field), std::move(composition.initial),
+                        composition.spectrum, composition.step);
+  ContactRecorder recorder(simulation, 0.0);
+  std::size_t listed = 0;
+  for (int k = 1; k <= 600; ++k) {
+    simulation.step();
+    recorder.add_step(simulation);
+    const ContactReports reports = recorder.take(simulation);
+    EXPECT_TRUE((reports.on_disk.total == -reports.on_wall.total).all());
+    EXPECT_EQ(reports.on_wall.step, simulation.state().step);
+    Eigen::Array2d on_wall = Eigen::Array2d::Zero();
+    for (const PointForce& point : reports.on_wall.points) {
+      EXPECT_GE(point.point, 0);
+      EXPECT_LT(point.point, 60);
+      on_wall += point.force;
+    }
+    // Rounding of forces of up to 1.
+    EXPECT_LT((on_wall - reports.on_wall.total).abs().maxCoeff(), 1e-13);
+    listed = std::max(listed, reports.on_wall.points.size());
+  }
+  EXPECT_GT(listed, 2U);
+}
+
 }  // namespace
 }  // namespace impact

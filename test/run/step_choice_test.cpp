@@ -53,5 +53,40 @@ TEST(ChooseStep, TakesAGivenStepUpToTheLimit) {
                      "numerics.step: got 0.021, allowed: at most 0.02 R/c, the stability limit");
 }
 
+/// The longest that divides the interval and is not above the wanted step.
+TEST(ChooseStep, DividesTheIntervalBetweenResets) {
+  const Spectrum spectrum{1e4, 0.0};
+  Scene scene;
+  scene.wall.kind = WallKind::kLattice;
+  const double automatic = 0.005;
+  scene.wall.boundary = Boundary::kFixed;
+  ASSERT_EQ(step(scene, spectrum), automatic);
+  scene.wall.boundary = Boundary::kReset;
+  const auto step_for = [&](double interval) {
+    scene.wall.reset_interval = interval;
+    return step(scene, spectrum);
+  };
+  EXPECT_DOUBLE_EQ(step_for(automatic), automatic);
+  EXPECT_DOUBLE_EQ(step_for(3.0 * automatic), automatic);
+  EXPECT_DOUBLE_EQ(step_for(1.01 * automatic), 0.505 * automatic);
+  EXPECT_DOUBLE_EQ(step_for(0.3 * automatic), 0.3 * automatic);
+  EXPECT_DOUBLE_EQ(step_for(1000.0), automatic);
+  scene.numerics.step = 0.003;
+  EXPECT_DOUBLE_EQ(step_for(0.004), 0.002);
+  EXPECT_DOUBLE_EQ(step_for(0.001), 0.001);
+  EXPECT_DOUBLE_EQ(step_for(0.009), 0.003);
+}
+
+/// Two points that push each other have half the mass of one.
+TEST(ChooseStep, CountsBothEndsOfAContact) {
+  Scene scene;
+  scene.impact.velocity = 0.5;
+  scene.wall.boundary = Boundary::kFixed;
+  const double stiffness = kWall.stiffness(largest_point_force(scene, kPoints, kSoundSpeed));
+  scene.wall.kind = WallKind::kLattice;
+  const double limit = verlet_step_limit(1.0 + 2.0 * stiffness * kPoints, 0.0);
+  EXPECT_EQ(step(scene, {1.0, 0.0}), round_down_to_125(0.5 * limit));
+}
+
 }  // namespace
 }  // namespace impact
