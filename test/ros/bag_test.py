@@ -10,9 +10,9 @@ import rospy
 import rostest
 from lattice_impact.msg import ParticleStates, RunStatus
 
-from programs import (ENDLESS_COLLISION, IMPACT_RESULTS, PACKAGE, SMALL_COLLISION, SMALL_CONTACT,
-                      BagAnalysis, Inbox, bag_messages, impact, launch, random_namespace,
-                      simulation)
+from programs import (ENDLESS_COLLISION, IMPACT_RESULTS, PACKAGE, SMALL_ABSORBING_WALL,
+                      SMALL_COLLISION, SMALL_CONTACT, BagAnalysis, Inbox, bag_messages, impact,
+                      launch, random_namespace, simulation)
 
 
 class BagTest(unittest.TestCase):
@@ -50,6 +50,32 @@ class BagTest(unittest.TestCase):
         expected = impact('contact', SMALL_CONTACT)
         for key in ('strain', 'strain_from_radius', 'rotation', 'wall_force'):
             self.assertEqual(run[key], expected[key], key)
+
+    def test_elastic_wall(self):
+        """Both bodies state by state; the forces on one are the reactions to those on the other."""
+        with simulation(self.namespace, 'absorbing_wall', SMALL_ABSORBING_WALL,
+                        bag=self.bag) as node:
+            self.assertEqual(node.wait(), 0, node.stderr())
+        wall, = bag_messages(self.bag, self.namespace + '/wall/lattice')
+        self.assertEqual((wall.name, len(wall.x)), ('wall', 140))
+        self.assertEqual(max(wall.y), 0.0)
+        states = bag_messages(self.bag, self.namespace + '/particle_states')
+        wall_states = bag_messages(self.bag, self.namespace + '/wall/particle_states')
+        self.assertEqual([(s.sequence, s.step, len(s.x)) for s in wall_states],
+                         [(s.sequence, s.step, 140) for s in states])
+        pushed = 0
+        for on_disk, on_wall in zip(
+                bag_messages(self.bag, self.namespace + '/contact_forces'),
+                bag_messages(self.bag, self.namespace + '/wall/contact_forces')):
+            self.assertEqual((on_wall.total_x, on_wall.total_y),
+                             (-on_disk.total_x, -on_disk.total_y))
+            # What is left out is below 1e-6 velocity each; forces are up to 0.1.
+            self.assertAlmostEqual(sum(on_wall.fy), on_wall.total_y, delta=1e-5)
+            pushed += len(on_wall.point)
+        self.assertGreater(pushed, 0)
+        result = impact('absorbing_wall', SMALL_ABSORBING_WALL)
+        run, = BagAnalysis(self.bag).runs
+        self.assertEqual(run['restitution'], result['restitution'])
 
     def interrupt_node(self, signal_number):
         with simulation(self.namespace, 'collision', ENDLESS_COLLISION, bag=self.bag,

@@ -73,6 +73,14 @@ class ParametersTest(unittest.TestCase):
         self.assert_simulation_refuses({'impact.velocity': [0.01, 2]}, 'impact.velocity', 'got 2',
                                        'allowed: number in (0, 1]')
 
+    def test_scene_without_motion(self):
+        self.assert_stops_at_the_door(
+            lambda environment: simulation(self.namespace, 'stretch', {}, environment),
+            'simulation_node: ', 'scene: got stretch', 'allowed: contact or collision')
+
+    def test_key_of_an_elastic_wall_without_one(self):
+        self.assert_simulation_refuses({'wall.boundary': 'fixed'}, 'wall.boundary', 'unknown')
+
     def test_step_beyond_the_stability_limit(self):
         self.assert_simulation_refuses({'numerics.step': 1.0}, 'numerics.step', 'got 1',
                                        'allowed: ')

@@ -8,13 +8,14 @@ import rospy
 import rostest
 
 from master_witness import MasterWitness
-from programs import (PACKAGE, SMALL_COLLISION, SMALL_CONTACT, TIMEOUT, analysis, random_namespace,
-                      simulation)
+from programs import (PACKAGE, SMALL_ABSORBING_WALL, SMALL_COLLISION, SMALL_CONTACT, TIMEOUT,
+                      analysis, random_namespace, simulation)
 
 OF_EVERY_NODE = {'/rosout'}
 DIAGNOSTICS = {'/diagnostics'}
 SIMULATION = ('lattice', 'particle_states', 'contact_forces', 'run_status', 'markers',
               'contact_wrench')
+WALL = ('wall/lattice', 'wall/particle_states', 'wall/contact_forces')
 ANALYSIS = ('strain', 'restitution', 'law_fit', 'acknowledged')
 
 
@@ -40,6 +41,10 @@ class TopicsTest(unittest.TestCase):
 
     def test_collision(self):
         self.assert_simulation_topics(self.topics_of_simulation('collision', SMALL_COLLISION))
+
+    def test_absorbing_wall(self):
+        topics = self.topics_of_simulation('absorbing_wall', SMALL_ABSORBING_WALL)
+        self.assert_simulation_topics(topics, more_published=self.absolute(WALL))
 
     def test_contact(self):
         self.assert_simulation_topics(self.topics_of_simulation('contact', SMALL_CONTACT))
