@@ -22,10 +22,12 @@ Run::Run(const Scene& scene, Composition composition)
       end_(end_of_run(scene, composition)),
       lattice_(std::move(composition.lattice)),
       wall_lattice_(std::move(composition.wall_lattice)),
+      triangles_(lattice_),
       simulation_(std::move(composition.field), std::move(composition.initial),
                   composition.spectrum, composition.step),
       monitor_(simulation_.ledger()),
       recorder_(simulation_, contact_force(scene)) {
+  if (wall_lattice_) wall_triangles_.emplace(*wall_lattice_);
   if (scene.kind == SceneKind::kCollision) {
     const double v = scene.impact.velocity;
     const double relative_energy = 2.0 * simulation_.ledger().wall / (v * v);
@@ -66,6 +68,8 @@ void Run::settle() {
           negligible_static_force(scene_, state().position.rows(), simulation_.step_size()))) {
     flags_.emplace_back(end_->flag_if_given_up());
   }
+  note_folds();
+  if (folded_) flags_.emplace_back("folded");
   recorder_.add_step(simulation_);
   finished_ = true;
 }
@@ -75,6 +79,7 @@ void Run::reload(double p) {
   scene_.load.p = p;
   recorder_ = ContactRecorder(simulation_, contact_force(scene_));
   flags_.clear();
+  folded_ = false;
   finished_ = false;
 }
 
@@ -83,7 +88,7 @@ void Run::observe_step() {
   if (simulation_.halvings() > kMostHalvings) {
     throw RunFailure("the wall grew too stiff: the step was halved more than 20 times");
   }
-  if (state().step % kCheckSteps == 0) monitor_.check(simulation_);
+  if (state().step % kCheckSteps == 0) look();
   if (end_->reached(simulation_)) {
     finish();
   } else if (state().time > kPatience * expected_time_) {
@@ -92,10 +97,24 @@ void Run::observe_step() {
   }
 }
 
+void Run::look() {
+  monitor_.check(simulation_);
+  note_folds();
+}
+
+void Run::note_folds() {
+  const PointArray& position = state().position;
+  folded_ = folded_ || triangles_.turned_over(position.topRows(lattice_.points.rows())) > 0;
+  if (!wall_triangles_) return;
+  const auto wall = position.bottomRows(wall_lattice_->points.rows());
+  folded_ = folded_ || wall_triangles_->turned_over(wall) > 0;
+}
+
 void Run::finish() {
   finished_ = true;
-  monitor_.check(simulation_);
+  look();
   if (monitor_.error() > scene_.numerics.error) flags_.emplace_back("energy_error");
+  if (folded_) flags_.emplace_back("folded");
   if (simulation_.halvings() > 0) flags_.emplace_back("step_reduced");
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mechanics/folding.hpp"
 #include "mechanics/simulation.hpp"
 #include "run/compose.hpp"
 #include "run/contact_recorder.hpp"
@@ -57,7 +58,9 @@ class Run {
 
   /// What a reader should know of the run: `starts_in_wall` (the wall's energy at the start exceeds
   /// what numerics.error allows), `step_reduced` (the wall grew too stiff for the step, which was
-  /// halved), `energy_error` (above numerics.error), `not_separated` or `not_at_rest` (given up).
+  /// halved), `energy_error` (above numerics.error), `folded` (a triangle of a lattice turned over at
+  /// one of the looks that are taken every 64 steps and at the end), `not_separated` or
+  /// `not_at_rest` (given up).
   const std::vector<std::string>& flags() const { return flags_; }
 
   /// Largest e that energy allows: √(1 + 2U₀/(M v²)) with the wall's energy U₀ at the start.
@@ -66,6 +69,8 @@ class Run {
  private:
   void settle();
   void observe_step();
+  void look();
+  void note_folds();
   void finish();
 
   Scene scene_;
@@ -73,11 +78,14 @@ class Run {
   std::unique_ptr<EndOfRun> end_;
   Lattice lattice_;
   std::optional<Lattice> wall_lattice_;
+  Triangles triangles_;
+  std::optional<Triangles> wall_triangles_;
   Simulation simulation_;
   EnergyMonitor monitor_;
   ContactRecorder recorder_;
   double restitution_bound_ = 0.0;
   bool finished_ = false;
+  bool folded_ = false;
   std::vector<std::string> flags_;
 };
 

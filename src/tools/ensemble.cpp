@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <sstream>
 
 namespace impact {
 namespace {
@@ -15,6 +16,14 @@ std::vector<DataPoint> points_of(const Ensemble& ensemble) {
   std::vector<DataPoint> points;
   for (const MeanPoint& point : mean_curve(ensemble)) points.push_back({point.x, point.y, 1.0});
   return points;
+}
+
+bool is_sound(const Row& row) {
+  std::istringstream flags(row.flags);
+  for (std::string flag; std::getline(flags, flag, ';');) {
+    if (flag != "step_reduced" && flag != "folded") return false;
+  }
+  return true;
 }
 
 Ensemble without(const Ensemble& ensemble, std::size_t lattice) {
@@ -41,8 +50,7 @@ Ensemble ensemble(const std::vector<Row>& rows, const std::function<double(const
   for (const Row& row : rows) {
     const double x = abscissa(row.scene);
     places.insert(x);
-    const bool sound = row.flags.empty() || row.flags == "step_reduced";
-    if (sound) curves[row.scene.seed][x] = row.results.at(result);
+    if (is_sound(row)) curves[row.scene.seed][x] = row.results.at(result);
   }
   Ensemble all{{places.begin(), places.end()}, {}};
   for (const auto& [seed, curve] : curves) {

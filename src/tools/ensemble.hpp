@@ -15,8 +15,8 @@ struct Ensemble {
   std::vector<std::vector<double>> y;  ///< by lattice, then by x
 };
 
-/// The curves of one result over one abscissa, one for each seed. A lattice of which a run has
-/// flags other than step_reduced is left out.
+/// The curves of one result over one abscissa, one for each seed. A lattice of which a run has no
+/// sound answer (flags other than step_reduced and folded) is left out.
 Ensemble ensemble(const std::vector<Row>& rows, const std::function<double(const Scene&)>& abscissa,
                   const std::string& result);
 

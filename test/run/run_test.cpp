@@ -199,6 +199,20 @@ TEST(Contact, DefaultDiskComesToRest) {
   EXPECT_GT(compression_at_rest(contact_scene(1.0e-2)), 0.01);
 }
 
+/// A slow impact keeps every triangle upright; a fast one folds the lattice where it hits, which
+/// takes up the energy, and is flagged.
+TEST(Collision, FlagsFolds) {
+  Scene scene;
+  scene.disk.recipe.points = 200;
+  for (const double velocity : {0.02, 0.3}) {
+    scene.impact.velocity = velocity;
+    impact::Run run(scene);
+    while (!run.finished()) run.advance();
+    EXPECT_EQ(has_flag(run, "folded"), velocity > 0.1);
+    EXPECT_EQ(run.state().velocity.col(1).mean() < 0.9 * velocity, velocity > 0.1);
+  }
+}
+
 /// Every load comes to rest, and the compression grows with it.
 TEST(Contact, CompressionGrowsWithTheLoad) {
   double last = 0.0;
