@@ -189,6 +189,18 @@ TEST_P(EveryMeasure, FarFromTheWallOrBesideItNothingIsFelt) {
   EXPECT_TRUE(wall.reactions(valley(2.001, 0.55), 0.0).empty());
 }
 
+/// On a slope of 1.5 the vertical gap is 1.8 times the normal one; the whole of it is felt.
+TEST_P(EveryMeasure, ReachesAsFarOnASteepSlope) {
+  const double lift = GetParam() == GapMeasure::kVertical ? 1.0 : std::sqrt(1.0 + 1.5 * 1.5);
+  ElasticWall wall = valley_wall(valley(1.99, 9.0, 1.5), GetParam());
+  const double surface = 0.99 * 1.5;
+  const auto felt = [&](double height) {
+    return forces(wall, valley(1.99, surface + height, 1.5)).abs().maxCoeff() > 0.0;
+  };
+  EXPECT_TRUE(felt(0.999 * kThreshold * lift));
+  EXPECT_FALSE(felt(1.001 * kThreshold * lift));
+}
+
 /// Into reach and out again at the side: what appears and vanishes is counted.
 TEST_P(EveryMeasure, CountsWhatEntersAndLeavesItsReach) {
   ElasticWall wall = valley_wall(valley(-0.1, 0.4), GetParam());
