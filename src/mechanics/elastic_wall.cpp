@@ -102,7 +102,7 @@ std::int32_t ElasticWall::bond_below(const PointArray& position, double x,
   const auto bonds = static_cast<std::int32_t>(surface_.size()) - 1;
   const double left = x_of(0);
   const double right = x_of(bonds);
-  if (x < left || x >= right) return kNone;
+  if (!(x >= left && x < right)) return kNone;  // nor for NaN
   std::int32_t k = guess;
   if (k == kNone) {
     const auto evenly = static_cast<std::int32_t>((x - left) / (right - left) * bonds);

@@ -189,6 +189,14 @@ TEST_P(EveryMeasure, FarFromTheWallOrBesideItNothingIsFelt) {
   EXPECT_TRUE(wall.reactions(valley(2.001, 0.55), 0.0).empty());
 }
 
+/// In a motion that has broken down, until that is noticed.
+TEST_P(EveryMeasure, APointThatIsNowhereIsAboveNoBond) {
+  ElasticWall wall = valley_wall(valley(0.5, 0.4), GetParam());
+  const double nowhere = std::nan("");
+  EXPECT_EQ(forces(wall, valley(nowhere, nowhere)).abs().maxCoeff(), 0.0);
+  EXPECT_TRUE(wall.contacts(valley(nowhere, nowhere), 0.0).empty());
+}
+
 /// On a slope of 1.5 the vertical gap is 1.8 times the normal one; the whole of it is felt.
 TEST_P(EveryMeasure, ReachesAsFarOnASteepSlope) {
   const double lift = GetParam() == GapMeasure::kVertical ? 1.0 : std::sqrt(1.0 + 1.5 * 1.5);
