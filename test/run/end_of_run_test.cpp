@@ -12,9 +12,18 @@ Scene small_collision() {
   return scene;
 }
 
+Scene small_collision_with_a_lattice() {
+  Scene scene = small_collision();
+  scene.wall.kind = WallKind::kLattice;
+  scene.wall.points = 70;
+  return scene;
+}
+
+class SeparationEndOf : public testing::TestWithParam<Scene> {};
+
 /// The end comes a waiting time after the last touch, with the disk going away.
-TEST(SeparationEnd, WaitsUntilTheDiskHasLeft) {
-  const Scene scene = small_collision();
+TEST_P(SeparationEndOf, CollisionWaitsUntilTheDiskHasLeft) {
+  const Scene& scene = GetParam();
   Composition composition = compose(scene);
   const auto end = end_of_run(scene, composition);
   Simulation simulation(std::move(composition.field), std::move(composition.initial),
@@ -23,7 +32,7 @@ TEST(SeparationEnd, WaitsUntilTheDiskHasLeft) {
   double last_touch = 0.0;
   while (!end->reached(simulation)) {
     simulation.step();
-    if (simulation.field().wall->potential_energy(simulation.state().position) > negligible) {
+    if (simulation.field().wall_potential_energy(simulation.state().position) > negligible) {
       last_touch = simulation.state().time;
     }
     ASSERT_LT(simulation.state().time, 100.0);
@@ -31,8 +40,11 @@ TEST(SeparationEnd, WaitsUntilTheDiskHasLeft) {
   EXPECT_GT(last_touch, 0.0);
   EXPECT_NEAR(simulation.state().time - last_touch, 5.0 / composition.sound_speed,
               2.0 * simulation.step_size());
-  EXPECT_GT(simulation.state().velocity.col(1).mean(), 0.0);
+  EXPECT_GT(simulation.state().velocity.col(1).head(60).mean(), 0.0);
 }
+
+INSTANTIATE_TEST_SUITE_P(Walls, SeparationEndOf,
+                         testing::Values(small_collision(), small_collision_with_a_lattice()));
 
 TEST(RestEnd, IsReachedOnlyAtRest) {
   Scene scene;
