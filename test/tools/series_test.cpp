@@ -116,9 +116,9 @@ TEST_F(RunSeries, LeavesAForeignFileAlone) {
   run(small_scenes());
   const std::string of_series = content(path_);
   std::vector<Scene> others = small_scenes();
-  others[2].material.eta = 7.0;
+  others[2].material.k_a = 7.0;
   const std::vector<Scene> fewer(others.begin(), others.begin() + 2);
-  EXPECT_INPUT_ERROR(run(others), "series.csv:4: material.eta: got 0, this series has 7");
+  EXPECT_INPUT_ERROR(run(others), "series.csv:4: material.k_a: got 1, this series has 7");
   EXPECT_INPUT_ERROR(run(fewer), "series.csv:4: this series has 2 runs only");
   EXPECT_EQ(content(path_), of_series);
   for (const std::string foreign : {"time,force\n0,1\n", "no table", "\n", "\"\\x\"\n"}) {
