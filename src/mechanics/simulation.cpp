@@ -7,7 +7,8 @@
 namespace impact {
 namespace {
 
-/// Holds the frequency of a point against the wall to half the stability limit.
+/// Holds the frequency of a point against the wall to half the stability limit; against an elastic
+/// wall, where both ends move, to 1/√2 of it.
 constexpr double kWallMargin = 4.0;
 
 }  // namespace

@@ -61,6 +61,9 @@ void perform(const std::string& scene_file, const std::vector<std::string>& assi
   write_file(path / "history.csv", experiment.history());
   write_lammps_data(experiment.run().lattice(), experiment.run().simulation().field().point_mass,
                     path / "lattice.data");
+  if (const Lattice* const wall = experiment.run().wall_lattice()) {
+    write_lammps_data(*wall, experiment.run().simulation().field().point_mass, path / "wall.data");
+  }
 }
 
 }  // namespace
@@ -74,7 +77,7 @@ int main(int argc, char** argv) {
   app.add_option("scene", scene_file, "scene file, like launch/scenes/collision.yaml")->required();
   app.add_option("assignments", assignments, "key=value, replaces that key of the scene");
   app.add_option("--output", folder,
-                 "folder for result.yaml, scene.yaml, history.csv, lattice.data");
+                 "folder for result.yaml, scene.yaml, history.csv, lattice.data and wall.data");
   return impact::run_tool(app, argc, argv,
                           [&] { impact::perform(scene_file, assignments, folder); });
 }
