@@ -1,0 +1,98 @@
+#!/usr/bin/python3
+"""plot_figures makes every figure, also from gaps in the data, and refuses what is not there."""
+
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = Path(__file__).resolve().parents[2] / 'src/tools/plot_figures'
+SPEEDS = (0.003, 0.01, 0.05)
+
+
+def write(folder, name, lines):
+    (folder / name).write_text('\n'.join(lines) + '\n')
+
+
+def write_drawing(folder, name):
+    write(folder, name + '_points.csv', ['x,y', '0,0', '1,0', '0,1'])
+    write(folder, name + '_bonds.csv', ['first,second', '0,1', '1,2', '2,0'])
+
+
+def write_figure2(folder):
+    write(folder, 'figure2.csv',
+          ['P_by_pi_E_R,strain,strain_error,fit,hertz,inertial_load,paper_fit',
+           '0.001,0.006,0.0001,0.006,0.007,0.007,0.012',
+           '0.002,nan,nan,nan,0.014,0.014,0.024'])
+    write(folder, 'figure2_fits.csv',
+          ['case,b,b_sampling_error,theory,paper', 'default,nan,nan,0.92,1.55'])
+    write(folder, 'figure2_pressure.csv',
+          ['x_by_half_width,hertz,N_1099,N_16000,N_16000_a_3000',
+           '-0.5,0.55,0.5,0.5,nan', '0.5,0.55,0.6,0.5,nan'])
+
+
+def write_figure3(folder):
+    lines = ['wall_a,eta,velocity,velocity_by_sound_speed,restitution,restitution_error,fit,'
+             'contact_duration,contact_duration_theory,dissipation_time_by_eta_by_k_a,ode']
+    for wall, eta in ((300, 0), (300, 10), (3000, 0)):
+        lines += [f'{wall},{eta},{v},{v / 1.8},{1 - v},0.01,nan,5,4,-nan,1' for v in SPEEDS]
+    write(folder, 'figure3.csv', lines)
+
+
+def write_figure6(folder):
+    lines = ['case,velocity,velocity_by_sound_speed,restitution,restitution_error,fit,paper_fit']
+    lines += [f'reset 0.004,{v},{v / 1.8},{1 - v},nan,nan,0.95' for v in SPEEDS]
+    write(folder, 'figure6.csv', lines)
+    write(folder, 'figure6_fits.csv', ['case,d1,d2', 'reset 0.004,nan,nan'])
+
+
+def plot(figure, folder):
+    return subprocess.run([sys.executable, str(PROGRAM), figure, str(folder)],
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          universal_newlines=True, check=False)
+
+
+class PlotFiguresTest(unittest.TestCase):
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.folder = Path(directory.name)
+
+    def pictures(self):
+        return {file.name: file.read_bytes() for file in self.folder.glob('*.[ps][nv]g')}
+
+    def test_all_figures_are_made_of_data_with_gaps(self):
+        for write_one in (write_figure2, write_figure3, write_figure6):
+            write_one(self.folder)
+        for name in ('figure1', 'figure4'):
+            write_drawing(self.folder, name)
+        done = plot('all', self.folder)
+        self.assertEqual((done.returncode, done.stdout), (0, ''))
+        names = ['figure1', 'figure2', 'figure3', 'figure3_dissipation', 'figure3_duration',
+                 'figure4', 'figure6']
+        self.assertEqual(sorted(self.pictures()),
+                         sorted(name + end for name in names for end in ('.png', '.svg')))
+
+    def test_one_figure_needs_only_its_own_data_and_is_the_same_again(self):
+        write_figure2(self.folder)
+        self.assertEqual(plot('figure2', self.folder).returncode, 0)
+        before = self.pictures()
+        self.assertEqual(set(before), {'figure2.png', 'figure2.svg'})
+        self.assertEqual(plot('figure2', self.folder).returncode, 0)
+        self.assertEqual(self.pictures(), before)
+
+    def test_missing_file_and_column_are_refused_in_one_line(self):
+        write_figure2(self.folder)
+        (self.folder / 'figure2_fits.csv').unlink()
+        done = plot('figure2', self.folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stdout, r'\Aplot_figures: .*figure2_fits\.csv: No such file.*\n\Z')
+        write(self.folder, 'figure2_fits.csv', ['case,theory', 'default,0.92'])
+        done = plot('figure2', self.folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stdout, r'\Aplot_figures: .*figure2_fits\.csv: has no b\n\Z')
+
+
+if __name__ == '__main__':
+    unittest.main()
