@@ -60,6 +60,7 @@ class Search {
   /// force, and only picks one of the equivalent shifts.
   Eigen::SparseMatrix<double> stiffness() const {
     const auto points = static_cast<std::int32_t>(position_.rows());
+    const Eigen::Index coordinates = 2 * position_.rows();
     std::vector<Eigen::Triplet<double>> entries = field_.bonds.stiffness(position_);
     if (field_.supports) leave_out_supported(entries);
     if (field_.wall) {
@@ -71,17 +72,17 @@ class Search {
     for (const int axis : {0, 1}) {
       if (shifts_freely(axis)) entries.emplace_back(axis * points, axis * points, 1.0);
     }
-    Eigen::SparseMatrix<double> matrix(2 * points, 2 * points);
+    Eigen::SparseMatrix<double> matrix(coordinates, coordinates);
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;
   }
 
   void leave_out_supported(std::vector<Eigen::Triplet<double>>& entries) const {
-    const auto points = static_cast<std::int32_t>(position_.rows());
-    std::vector<bool> held(2 * static_cast<std::size_t>(points), false);
+    const auto points = static_cast<std::size_t>(position_.rows());
+    std::vector<bool> held(2 * points, false);
     for (const int axis : {0, 1}) {
       for (const std::int32_t point : field_.supports->held(axis)) {
-        held[static_cast<std::size_t>(axis * points + point)] = true;
+        held[static_cast<std::size_t>(axis) * points + static_cast<std::size_t>(point)] = true;
       }
     }
     const auto is_held = [&](int place) { return held[static_cast<std::size_t>(place)]; };

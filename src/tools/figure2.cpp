@@ -91,11 +91,12 @@ void add_fit(const char* name, const EnsembleFit& fit, const Ensemble& curves,
         << kPaperHertzFactor;
 }
 
-/// Force on the points in contact, by their place in units of Hertz's half width from the middle of
-/// the pressure.
+/// Force on the points in contact, each spread over the piece of rim that belongs to its point, by
+/// the place in units of Hertz's half width from the middle of the pressure.
 class PressureProfile {
  public:
-  explicit PressureProfile(double half_width) : half_width_(half_width), force_(kBins, 0.0) {}
+  PressureProfile(double half_width, double spacing)
+      : half_width_(half_width), piece_(spacing / half_width), force_(kBins, 0.0) {}
 
   void add(const PointArray& position, const std::vector<PointForce>& contacts) {
     double middle = 0.0;
@@ -106,10 +107,7 @@ class PressureProfile {
     }
     middle /= total;
     for (const PointForce& contact : contacts) {
-      const double x = (position(contact.point, 0) - middle) / half_width_;
-      const int bin = static_cast<int>(std::floor(x / kBin)) + kBins / 2;
-      if (bin < 0 || bin >= kBins) continue;
-      force_[static_cast<std::size_t>(bin)] += contact.force.y() / total;
+      spread((position(contact.point, 0) - middle) / half_width_, contact.force.y() / total);
     }
     ++lattices_;
   }
@@ -120,14 +118,25 @@ class PressureProfile {
   }
 
  private:
+  void spread(double x, double force) {
+    for (int bin = 0; bin < kBins; ++bin) {
+      const double begin = (bin - kBins / 2) * kBin;
+      const double overlap =
+          std::min(begin + kBin, x + 0.5 * piece_) - std::max(begin, x - 0.5 * piece_);
+      force_[static_cast<std::size_t>(bin)] += force * std::max(0.0, overlap) / piece_;
+    }
+  }
+
   double half_width_;
+  double piece_;  ///< of the rim, in half widths
   std::vector<double> force_;
   int lattices_ = 0;
 };
 
 PressureProfile pressure_profile(const Reproduction& reproduction, const ElasticDisk& disk,
                                  const Scene& scene, int lattices) {
-  PressureProfile profile(contact_half_width(disk, scene.load.p));
+  PressureProfile profile(contact_half_width(disk, scene.load.p),
+                          std::sqrt(M_PI / scene.disk.recipe.points));
   for (const Scene& one : with_seeds({scene}, std::min(lattices, reproduction.lattices))) {
     Run run(one);
     run.advance();
@@ -143,7 +152,7 @@ void write_pressure(const Reproduction& reproduction, const ElasticDisk& disk) {
   Scene fine_and_hard = fine;
   fine_and_hard.wall.a = 3000.0;
   constexpr int kManyLattices = 1000;
-  constexpr int kFewLattices = 8;
+  constexpr int kFewLattices = 16;
   const PressureProfile of_coarse = pressure_profile(reproduction, disk, coarse, kManyLattices);
   const PressureProfile of_fine = pressure_profile(reproduction, disk, fine, kFewLattices);
   const PressureProfile of_hard = pressure_profile(reproduction, disk, fine_and_hard, kFewLattices);
