@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <fstream>
 #include <stdexcept>
 
@@ -11,7 +12,9 @@ namespace impact {
 Table::Table(std::vector<std::string> columns)
     : columns_(columns.size()), text_(fmt::format("{}\n", fmt::join(columns, ","))) {}
 
-Table& Table::operator<<(double value) { return *this << fmt::format("{}", value); }
+Table& Table::operator<<(double value) {
+  return *this << (std::isnan(value) ? std::string("nan") : fmt::format("{}", value));
+}
 
 Table& Table::operator<<(const std::string& text) {
   ++cells_;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <limits>
 
 namespace impact {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 TEST(Table, WritesLinesOfNumbersAndTexts) {
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "table.csv";
   Table table({"name", "value"});
-  table << "a third" << 1.0 / 3.0 << "nothing" << std::numeric_limits<double>::quiet_NaN();
+  table << "a third" << 1.0 / 3.0 << "nothing" << -std::numeric_limits<double>::quiet_NaN();
   table.write(path);
   std::ifstream file(path);
   const std::string content{std::istreambuf_iterator<char>(file), {}};
