@@ -123,7 +123,7 @@ Table elastic_wall_keys() {
           "clamped, or dashpots that absorb waves",
           [](auto& s) -> auto& { return s.wall.boundary; }),
       real<Scene>(
-          "wall.reset_interval", "R/c", {0.0, 1000.0, false},
+          "wall.reset_interval", "R/c", {1e-6, 1000.0},
           "elastic wall, boundary reset: time between resets; the step is shortened to divide it",
           [](auto& s) -> auto& { return s.wall.reset_interval; }),
       text<Scene>(

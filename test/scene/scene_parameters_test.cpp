@@ -72,6 +72,15 @@ TEST(ParseScene, ReadsAnElasticWall) {
             Boundary::kFixed);
 }
 
+/// Far below any step that a lattice needs there would be no step to count the interval in.
+TEST(ParseScene, RefusesResetsWithoutEnd) {
+  const auto parse_interval = [](const std::string& interval) {
+    return parse("{scene: collision, wall: {type: lattice, reset_interval: " + interval + "}}");
+  };
+  EXPECT_INPUT_ERROR(parse_interval("1e-12"), "wall.reset_interval: got 1e-12, allowed: number in");
+  EXPECT_EQ(parse_interval("1e-6").wall.reset_interval, 1e-6);
+}
+
 TEST(ParseScene, RefusesKeysOfAnElasticWallWithoutOne) {
   EXPECT_INPUT_ERROR(parse("{scene: collision, wall: {boundary: fixed}}"),
                      "wall.boundary: unknown key");
