@@ -40,12 +40,21 @@ ResultTexts texts_of(const Experiment& experiment) {
   return texts;
 }
 
+/// From the last answer or, where that has flags (folded, not at rest), from the beginning.
+void go_on(Experiment& experiment, const Scene& next) {
+  if (experiment.run().flags().empty()) {
+    experiment.go_on_to(next);
+  } else {
+    experiment = Experiment(next);
+  }
+}
+
 /// Fewer results than scenes when it was told to stop.
 std::vector<ResultTexts> simulate(Scenes begin, Scenes end, const std::function<bool()>& stop) {
   std::vector<ResultTexts> results;
   Experiment experiment(*begin);
   for (Scenes scene = begin; scene != end; ++scene) {
-    if (scene != begin) experiment.go_on_to(*scene);
+    if (scene != begin) go_on(experiment, *scene);
     try {
       while (!experiment.finished()) {
         if (stop()) return results;

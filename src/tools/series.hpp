@@ -20,7 +20,8 @@ struct SeriesOptions {
 /// Simulates the scenes and writes each into its row of the file as soon as it and all before it
 /// are done: except for wall_time, the file does not depend on the number of threads. Rows that the
 /// file has already are not simulated again. Consecutive static contacts that differ only in the
-/// load are found each from the one before. A run that cannot go on has its reason in its flags.
+/// load are found each from the one before, unless that has flags. A run that cannot go on has its
+/// reason in its flags.
 /// @return all rows, also those that were there.
 /// @throw InputError as SeriesFile and compose(); before anything has run, unless only a later
 /// scene cannot be composed.
