@@ -58,9 +58,17 @@ double impact_time(const Scene& scene, double sound_speed, double gap) {
 
 /// The rectangle of a stretch scene, with the disk's number density.
 Lattice stretched_rectangle(const Scene& scene) {
+  constexpr double kMostPoints = 1e6;
   const double area = scene.stretch.width * scene.stretch.height;
-  const auto points = static_cast<int>(std::lround(scene.disk.recipe.points * area / M_PI));
-  const PlacementRecipe recipe{points, scene.disk.recipe.placement, true};
+  const double points = std::round(scene.disk.recipe.points * area / M_PI);
+  if (points > kMostPoints) {
+    throw InputError(
+        fmt::format("stretch: a {} by {} R rectangle with the disk's number density has {:.3g} "
+                    "points, allowed: "
+                    "at most {}",
+                    scene.stretch.width, scene.stretch.height, points, kMostPoints));
+  }
+  const PlacementRecipe recipe{static_cast<int>(points), scene.disk.recipe.placement, true};
   try {
     return triangulated_lattice(
         place_in_rectangle(recipe, scene.stretch.width, scene.stretch.height, scene.seed));

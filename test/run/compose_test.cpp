@@ -127,6 +127,18 @@ TEST(Compose, SaysThatAStretchedRectangleHasTooFewPoints) {
   EXPECT_INPUT_ERROR(compose(scene), "stretch: ");
 }
 
+/// 3·10⁹ points, more than an int can count, and 1.4·10⁶.
+TEST(Compose, SaysThatAStretchedRectangleHasTooManyPoints) {
+  Scene scene;
+  scene.kind = SceneKind::kStretch;
+  scene.disk.recipe.points = 10000;
+  scene.stretch.width = scene.stretch.height = 1000.0;
+  EXPECT_INPUT_ERROR(compose(scene), "stretch: a 1000 by 1000 R rectangle");
+  scene.disk.recipe.points = 1099;
+  scene.stretch.width = 4.0;
+  EXPECT_INPUT_ERROR(compose(scene), "stretch: a 4 by 1000 R rectangle");
+}
+
 TEST(Compose, StartsACollisionWhereTheWallIsNegligible) {
   const Scene scene;
   const Composition composition = compose(scene);
