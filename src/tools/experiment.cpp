@@ -134,7 +134,12 @@ Restitution Experiment::restitution() const {
 
 ElasticConstants Experiment::elastic_constants() const {
   const MiddleRegion middle{scene_.stretch.width / 4.0, scene_.stretch.height / 4.0};
-  return stretched_constants(run_.lattice(), run_.state().position, law(), middle);
+  const ElasticConstants constants =
+      stretched_constants(run_.lattice(), run_.state().position, law(), middle);
+  if (!std::isfinite(constants.young_modulus) || !std::isfinite(constants.poisson_ratio)) {
+    throw RunFailure("the middle of the rectangle has too few points for a mean strain");
+  }
+  return constants;
 }
 
 double Experiment::grip_modulus() const {

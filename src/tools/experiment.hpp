@@ -35,6 +35,7 @@ class Experiment {
   Restitution restitution() const;
   Strain strain() const { return strain_meter_.measure(run_.disk_state().position); }
   /// E and ν of a stretched rectangle, in the middle of it: half its width and half its height.
+  /// @throw RunFailure when too few points lie there.
   ElasticConstants elastic_constants() const;
   /// The pull on the grips over the rectangle's height and strain, in M c²/R²: E of the rectangle
   /// as a whole, with its rim.

@@ -161,6 +161,13 @@ TEST_F(RunSeries, GoesOnAfterARunThatFailed) {
   EXPECT_GT(rows[1].results.at("restitution"), 0.0);
 }
 
+/// Of the 31 points of the rectangle 24 are on its rim.
+TEST_F(RunSeries, SaysThatTheMiddleOfARectangleIsEmpty) {
+  const auto rows = run(scenes("{scene: stretch, stretch: {width: 0.3, height: 0.3}}"));
+  EXPECT_EQ(rows[0].flags,
+            "failed: the middle of the rectangle has too few points for a mean strain");
+}
+
 TEST_F(RunSeries, LeavesEmptyWhatASceneDoesNotHave) {
   const auto rows = run(scenes(
       "{scene: contact, disk: {points: 40}, numerics: {integrator: newton}, load: {hold_rotation: "
