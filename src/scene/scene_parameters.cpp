@@ -2,11 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace impact {
 namespace {
 
 using P = Parameter<Scene>;
 using Table = std::vector<P>;
+/// Rounding of positions, 10⁻¹⁶ R, is then less than 10⁻⁷ of the elongations of the bonds.
+constexpr double kLeastStrain = 1e-6;
+
 using Condition = std::function<bool(const Scene&)>;
 
 P only(const Condition& condition, P parameter) {
@@ -166,7 +171,8 @@ Table task_keys() {
           only(in(SceneKind::kStretch),
                real<Scene>(
                    "stretch.strain", "-", {-0.1, 0.1},
-                   "stretch: how much the grips draw its ends apart, over the width; not 0",
+                   "stretch: how much the grips draw its ends apart, over the width; at least "
+                   "1e-6 in size",
                    [](auto& s) -> auto& { return s.stretch.strain; }))};
 }
 
@@ -210,8 +216,9 @@ void check_combination(const Scene& scene) {
   if (scene.kind == SceneKind::kStretch && scene.numerics.integrator == IntegratorKind::kVerlet) {
     throw bad_value("numerics.integrator", "verlet", "auto or newton in a stretch scene");
   }
-  if (scene.kind == SceneKind::kStretch && scene.stretch.strain == 0.0) {
-    throw bad_value("stretch.strain", "0", "above or below 0");
+  if (scene.kind == SceneKind::kStretch && std::abs(scene.stretch.strain) < kLeastStrain) {
+    throw bad_value("stretch.strain", fmt::format("{}", scene.stretch.strain),
+                    fmt::format("at most -{0} or at least {0}", kLeastStrain));
   }
   if (scene.kind == SceneKind::kContact && scene.wall.kind == WallKind::kLattice) {
     throw bad_value("wall.type", "lattice", "potential in a contact scene");

@@ -98,7 +98,10 @@ TEST(ParseScene, RefusesWhatDoesNotGoTogether) {
   EXPECT_INPUT_ERROR(parse("{scene: stretch, numerics: {integrator: verlet}}"),
                      "numerics.integrator: got verlet, allowed: auto or newton in a stretch scene");
   EXPECT_INPUT_ERROR(parse("{scene: stretch, stretch: {strain: 0}}"),
-                     "stretch.strain: got 0, allowed: above or below 0");
+                     "stretch.strain: got 0, allowed: at most -1e-06 or at least 1e-06");
+  EXPECT_INPUT_ERROR(parse("{scene: stretch, stretch: {strain: -1e-300}}"),
+                     "stretch.strain: got -1e-300, allowed: at most -1e-06");
+  EXPECT_NO_THROW(parse("{scene: stretch, stretch: {strain: -1e-6}}"));
   EXPECT_INPUT_ERROR(parse("{scene: contact, material: {eta: 1}, wall: {type: lattice}}"),
                      "wall.type: got lattice, allowed: potential in a contact scene");
 }
