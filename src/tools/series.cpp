@@ -29,8 +29,8 @@ using Scenes = std::vector<Scene>::const_iterator;
 
 /// The end of the chain of scenes that begins here, each to be found from the one before.
 Scenes end_of_chain(Scenes begin, Scenes end) {
-  Scenes last = begin;
-  for (Scenes next = begin + 1; next != end && is_next_load(*last, *next); ++next) last = next;
+  auto last = begin;
+  for (auto next = begin + 1; next != end && is_next_load(*last, *next); ++next) last = next;
   return last + 1;
 }
 
@@ -53,7 +53,7 @@ void go_on(Experiment& experiment, const Scene& next) {
 std::vector<ResultTexts> simulate(Scenes begin, Scenes end, const std::function<bool()>& stop) {
   std::vector<ResultTexts> results;
   Experiment experiment(*begin);
-  for (Scenes scene = begin; scene != end; ++scene) {
+  for (auto scene = begin; scene != end; ++scene) {
     if (scene != begin) go_on(experiment, *scene);
     try {
       while (!experiment.finished()) {
