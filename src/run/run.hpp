@@ -58,8 +58,8 @@ class Run {
 
   /// What a reader should know of the run: `starts_in_wall` (the wall's energy at the start exceeds
   /// what numerics.error allows), `step_reduced` (the wall grew too stiff for the step, which was
-  /// halved), `energy_error` (above numerics.error), `folded` (a triangle of a lattice turned over at
-  /// one of the looks that are taken every 64 steps and at the end), `not_separated` or
+  /// halved), `energy_error` (above numerics.error), `folded` (a triangle of a lattice turned over
+  /// at one of the looks that are taken every 64 steps and at the end), `not_separated` or
   /// `not_at_rest` (given up).
   const std::vector<std::string>& flags() const { return flags_; }
 

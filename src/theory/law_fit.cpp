@@ -9,7 +9,6 @@
 namespace impact {
 namespace {
 
-
 std::vector<DataPoint> weighted_by_runs(const std::vector<MeanPoint>& points) {
   std::vector<DataPoint> data;
   data.reserve(points.size());
