@@ -38,6 +38,9 @@ class ElasticWall : public WallContact {
 
   void add_forces(const PointArray& position, PointArray& force);
 
+  /// Gap (R) from which on nothing is felt.
+  double threshold() const { return threshold_; }
+
   /// With the bond below each point as in the last evaluation.
   double potential_energy(const PointArray& position) const;
 

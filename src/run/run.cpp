@@ -14,6 +14,13 @@ double contact_force(const Scene& scene) {
   return 1e-6 * (scene.kind == SceneKind::kContact ? scene.load.p : scene.impact.velocity);
 }
 
+/// Whether a point that comes into reach of an elastic wall finds more than negligible energy
+/// there.
+bool is_cut_off(const Scene& scene, const ForceField& field) {
+  return field.elastic_wall && field.elastic_wall->potential_at(field.elastic_wall->threshold()) >
+                                   negligible_wall_energy(scene);
+}
+
 }  // namespace
 
 Run::Run(const Scene& scene, Composition composition)
@@ -33,6 +40,7 @@ Run::Run(const Scene& scene, Composition composition)
     const double relative_energy = 2.0 * simulation_.ledger().wall / (v * v);
     restitution_bound_ = std::sqrt(1.0 + relative_energy);
     if (relative_energy > scene.numerics.error) flags_.emplace_back("starts_in_wall");
+    if (is_cut_off(scene, simulation_.field())) flags_.emplace_back("cut_off");
   }
 }
 

@@ -57,10 +57,11 @@ class Run {
   double energy_error() const { return monitor_.error(); }
 
   /// What a reader should know of the run: `starts_in_wall` (the wall's energy at the start exceeds
-  /// what numerics.error allows), `step_reduced` (the wall grew too stiff for the step, which was
-  /// halved), `energy_error` (above numerics.error), `folded` (a triangle of a lattice turned over
-  /// at one of the looks that are taken every 64 steps and at the end), `not_separated` or
-  /// `not_at_rest` (given up).
+  /// what numerics.error allows), `cut_off` (the wall's energy is not negligible at wall.threshold,
+  /// where it ends abruptly: see negligible_wall_energy()), `step_reduced` (the wall grew too stiff
+  /// for the step, which was halved), `energy_error` (above numerics.error), `folded` (a triangle
+  /// of a lattice turned over at one of the looks that are taken every 64 steps and at the end),
+  /// `not_separated` or `not_at_rest` (given up).
   const std::vector<std::string>& flags() const { return flags_; }
 
   /// Largest e that energy allows: √(1 + 2U₀/(M v²)) with the wall's energy U₀ at the start.

@@ -329,6 +329,16 @@ TEST(AbsorbingWall, ResetsBecomeAClampAsTheirIntervalGoesToZero) {
   EXPECT_NEAR(loss(0.001) / usual, 0.25, 0.05);
 }
 
+/// At the threshold V₀ exp(−a l) jumps to zero: by 10⁻²⁶ M c² at 0.2 R, by 4·10⁻⁸ at 0.05 R, of
+/// 5·10⁻⁵ in all.
+TEST(AbsorbingWall, FlagsAThresholdThatIsFelt) {
+  Scene scene;
+  scene.wall.kind = WallKind::kLattice;
+  EXPECT_FALSE(has_flag(impact::Run(scene), "cut_off"));
+  scene.wall.threshold = 0.05;
+  EXPECT_TRUE(has_flag(impact::Run(scene), "cut_off"));
+}
+
 TEST(AbsorbingWall, HasAStateOfEachBody) {
   impact::Run run(absorbing_wall());
   ASSERT_NE(run.wall_lattice(), nullptr);
