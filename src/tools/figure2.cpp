@@ -57,6 +57,11 @@ std::vector<Scene> loaded(const Scene& scene) {
 
 double load_of(const Scene& scene) { return scene.load.p; }
 
+/// b; NaN where the fit is declined.
+Estimate factor(const Fit& fit) {
+  return fit.declined.empty() ? fit.parameters[0] : Estimate{LawFit::kNaN, LawFit::kNaN};
+}
+
 void write_curve(const Reproduction& reproduction, const Ensemble& curves, const Fit& fit,
                  const ElasticDisk& disk) {
   Table table({"P", "P_by_pi_E_R", "lattices", "strain", "strain_error", "fit", "hertz",
@@ -65,7 +70,7 @@ void write_curve(const Reproduction& reproduction, const Ensemble& curves, const
   for (const MeanPoint& point : mean_curve(curves)) {
     const double scaled = point.x / (M_PI * disk.young_modulus);
     table << point.x << scaled << fmt::format("{}", point.runs) << point.y << point.standard_error
-          << hertz_compression(disk, fit.parameters.at(0).value, point.x)
+          << hertz_compression(disk, factor(fit).value, point.x)
           << hertz_compression(disk, b, point.x) << inertial_load_compression(disk, point.x)
           << hertz_compression(kPaperDisk, kPaperHertzFactor, M_PI * scaled);
   }
@@ -78,15 +83,16 @@ double factor_of_inertial_load(const Ensemble& curves, const ElasticDisk& disk) 
   for (const double load : curves.x) {
     points.push_back({load, inertial_load_compression(disk, load), 1.0});
   }
-  return fit_hertz(points, disk).parameters.at(0).value;
+  return factor(fit_hertz(points, disk)).value;
 }
 
 void add_fit(const char* name, const EnsembleFit& fit, const Ensemble& curves,
              const ElasticDisk& disk, Table& table) {
-  const Estimate b =
-      fit.fit.parameters.empty() ? Estimate{LawFit::kNaN, LawFit::kNaN} : fit.fit.parameters[0];
+  const bool there = fit.fit.declined.empty();
+  const Estimate b = factor(fit.fit);
   table << name << disk.young_modulus << disk.poisson_ratio << fmt::format("{}", curves.y.size())
-        << b.value << fit.sampling_error.at(0) << b.standard_error << fit.fit.residual
+        << b.value << (there ? fit.sampling_error[0] : LawFit::kNaN) << b.standard_error
+        << (there ? fit.fit.residual : LawFit::kNaN)
         << 1.0 - disk.poisson_ratio * disk.poisson_ratio << factor_of_inertial_load(curves, disk)
         << kPaperHertzFactor;
 }
