@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "measure/sound_answer.hpp"
 #include "nodes/conversions.hpp"
 #include "scene/scene_parameters.hpp"
 #include "theory/law_fit.hpp"
@@ -36,9 +37,7 @@ std::string shared_keys_without_damping(Scene scene) {
 }
 
 bool can_be_fitted(const ClosedRun& run) {
-  const bool inaccurate =
-      std::find(run.flags.begin(), run.flags.end(), "energy_error") != run.flags.end();
-  return std::isfinite(run.answer) && !inaccurate;
+  return std::isfinite(run.answer) && is_sound(run.flags);
 }
 
 std::vector<MeanPoint> mean_points(const std::map<double, std::vector<double>>& answers,

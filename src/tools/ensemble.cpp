@@ -7,6 +7,8 @@
 #include <set>
 #include <sstream>
 
+#include "measure/sound_answer.hpp"
+
 namespace impact {
 namespace {
 
@@ -18,12 +20,11 @@ std::vector<DataPoint> points_of(const Ensemble& ensemble) {
   return points;
 }
 
-bool is_sound(const Row& row) {
-  std::istringstream flags(row.flags);
-  for (std::string flag; std::getline(flags, flag, ';');) {
-    if (flag != "step_reduced" && flag != "folded") return false;
-  }
-  return true;
+std::vector<std::string> flags_of(const Row& row) {
+  std::vector<std::string> flags;
+  std::istringstream text(row.flags);
+  for (std::string flag; std::getline(text, flag, ';');) flags.push_back(flag);
+  return flags;
 }
 
 Ensemble without(const Ensemble& ensemble, std::size_t lattice) {
@@ -50,7 +51,7 @@ Ensemble ensemble(const std::vector<Row>& rows, const std::function<double(const
   for (const Row& row : rows) {
     const double x = abscissa(row.scene);
     places.insert(x);
-    if (is_sound(row)) curves[row.scene.seed][x] = row.results.at(result);
+    if (is_sound(flags_of(row))) curves[row.scene.seed][x] = row.results.at(result);
   }
   Ensemble all{{places.begin(), places.end()}, {}};
   for (const auto& [seed, curve] : curves) {
@@ -90,6 +91,11 @@ Ensemble above(const Ensemble& ensemble, double low) {
     part.y.emplace_back(curve.begin() + skipped, curve.end());
   }
   return part;
+}
+
+Fit fit_mean(const Ensemble& ensemble,
+             const std::function<Fit(const std::vector<DataPoint>&)>& fit) {
+  return fit(points_of(ensemble));
 }
 
 EnsembleFit fit_ensemble(const Ensemble& ensemble,

@@ -16,7 +16,7 @@ struct Ensemble {
 };
 
 /// The curves of one result over one abscissa, one for each seed. A lattice of which a run has no
-/// sound answer (flags other than step_reduced and folded) is left out.
+/// sound answer (is_sound()) is left out.
 Ensemble ensemble(const std::vector<Row>& rows, const std::function<double(const Scene&)>& abscissa,
                   const std::string& result);
 
@@ -31,13 +31,17 @@ std::vector<MeanPoint> mean_curve(const Ensemble& ensemble);
 /// The part of the ensemble with x ≥ `low`.
 Ensemble above(const Ensemble& ensemble, double low);
 
-/// The fit of a law to the mean curve, all points with equal weight.
+/// A fit and how much it owes to the choice of lattices.
 struct EnsembleFit {
   Fit fit;                             ///< standard errors from the scatter about the law
   std::vector<double> sampling_error;  ///< of each parameter, from the choice of lattices
 };
 
-/// Fits the mean curve; the sampling errors are the jackknife's (B. Efron and C. Stein, Ann. Stat.
+/// The fit of a law to the mean curve, all points with equal weight.
+Fit fit_mean(const Ensemble& ensemble,
+             const std::function<Fit(const std::vector<DataPoint>&)>& fit);
+
+/// fit_mean(); the sampling errors are the jackknife's (B. Efron and C. Stein, Ann. Stat.
 /// 9 (1981) 586): √((n − 1)/n Σ (θ_i − θ̄)²) with θ_i the fit without lattice i; NaN when one of
 /// those is declined or there are fewer than two lattices.
 EnsembleFit fit_ensemble(const Ensemble& ensemble,

@@ -144,8 +144,10 @@ PressureProfile pressure_profile(const Reproduction& reproduction, const Elastic
   PressureProfile profile(contact_half_width(disk, scene.load.p),
                           std::sqrt(M_PI / scene.disk.recipe.points));
   for (const Scene& one : with_seeds({scene}, std::min(lattices, reproduction.lattices))) {
+    break_off_if_interrupted();
     Run run(one);
     run.advance();
+    if (!run.flags().empty()) continue;
     profile.add(run.state().position, run.take_contact_reports().on_disk.points);
   }
   return profile;

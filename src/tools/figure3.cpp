@@ -63,14 +63,14 @@ void add_lines(const Wall& wall, std::size_t k, const Measured& measured, double
   const std::vector<MeanPoint> durations = mean_curve(measured.duration[k]);
   const std::vector<double> times =
       dissipation_times(curve, mean_curve(measured.restitution[0]), disk.young_modulus);
+  const std::vector<double> fitted = fitted_curve(measured.restitution[k], disk);
   const double tau = time_by_bond_time * bond_time(wall.viscosity[k]);
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const double v = curve[i].x;
     const QuasiStaticImpact plane_stress{disk.young_modulus, tau, v};
     const QuasiStaticImpact paper{paper_modulus, tau, v};
     table << wall.a << wall.viscosity[k] << v << v / c << fmt::format("{}", curve[i].runs)
-          << curve[i].y << curve[i].standard_error
-          << fitted_restitution(measured.restitution[k], disk, v) << durations[i].y
+          << curve[i].y << curve[i].standard_error << fitted[i] << durations[i].y
           << contact_time(c, v) << times[i] << times[i] / bond_time(wall.viscosity[k]) << tau
           << quasi_static_restitution(plane_stress, EndOfImpact::kNoCompression, c)
           << quasi_static_restitution(plane_stress, EndOfImpact::kContactTime, c)

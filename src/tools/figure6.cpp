@@ -41,10 +41,11 @@ void add_lines(const Case& one, const Ensemble& curves, const std::vector<MeanPo
                const ElasticDisk& disk, Table& table) {
   const double c = sound_speed(disk.young_modulus);
   const std::vector<MeanPoint> curve = mean_curve(curves);
+  const std::vector<double> fitted = fitted_curve(curves, disk);
   for (std::size_t k = 0; k < curve.size(); ++k) {
     const MeanPoint& point = curve[k];
     table << one.name << point.x << point.x / c << fmt::format("{}", point.runs) << point.y
-          << point.standard_error << fitted_restitution(curves, disk, point.x)
+          << point.standard_error << fitted[k]
           << closed_form_restitution(kPaperAbsorbingWall[0], kPaperAbsorbingWall[1], point.x)
           << hops[k].y / (0.5 * point.x * point.x);
   }

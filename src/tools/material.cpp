@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "lattice/periodic_patch.hpp"
 #include "measure/elastic_constants.hpp"
@@ -31,6 +32,7 @@ void measure_patches(Placement placement, Table& table) {
   std::vector<double> moduli;
   std::vector<double> ratios;
   for (int seed = 1; seed <= kPatches; ++seed) {
+    break_off_if_interrupted();
     const PeriodicPatch patch =
         random_patch(kPatchPoints, placement, 1.0, 1.0, static_cast<std::uint64_t>(seed));
     const ElasticConstants constants = isotropic_average(periodic_stiffness(patch, 1.0));
@@ -45,11 +47,12 @@ ElasticDisk measure_rectangles(const std::vector<Row>& rows, Placement placement
   std::vector<double> ratios;
   std::vector<double> of_grips;
   for (const Row& row : rows) {
-    if (row.scene.disk.recipe.placement != placement) continue;
+    if (row.scene.disk.recipe.placement != placement || !row.flags.empty()) continue;
     moduli.push_back(row.results.at("young_modulus"));
     ratios.push_back(row.results.at("poisson_ratio"));
     of_grips.push_back(row.results.at("grip_modulus"));
   }
+  if (moduli.empty()) throw std::runtime_error("no rectangle came to rest");
   add_line(table, "stretched rectangle", placement, moduli, ratios);
   add_line(table, "stretched rectangle with its rim", placement, of_grips, ratios);
   return {mean_point(0.0, moduli).y, mean_point(0.0, ratios).y};

@@ -36,10 +36,12 @@ void reproduce(const std::string& figure, const Reproduction& reproduction) {
   take_interruptions();
   const bool all = figure == "all";
   const Material material = measure_material(reproduction);
+  break_off_if_interrupted();
   if (all) draw_lattices(reproduction);
   if (all || figure == "figure2") reproduce_figure2(reproduction, material);
   if (all || figure == "figure3") reproduce_figure3(reproduction, material);
   if (all || figure == "figure6") reproduce_figure6(reproduction, material);
+  break_off_if_interrupted();
   plot(reproduction.folder, figure);
 }
 

@@ -1,5 +1,7 @@
 #include "tools/reproduction.hpp"
 
+#include <stdexcept>
+
 #include "tools/interruption.hpp"
 #include "tools/progress_bar.hpp"
 #include "tools/series.hpp"
@@ -11,6 +13,10 @@ std::vector<Row> simulate(const Reproduction& reproduction, const std::string& n
   ProgressBar bar(scenes.size());
   return run_series(scenes, reproduction.folder / (name + "_runs.csv"),
                     {reproduction.jobs, [&bar](std::size_t done) { bar.show(done); }, interrupted});
+}
+
+void break_off_if_interrupted() {
+  if (interrupted()) throw std::runtime_error("interrupted; the same command goes on from there");
 }
 
 std::vector<Scene> with_seeds(const std::vector<Scene>& scenes, int lattices) {

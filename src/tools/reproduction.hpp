@@ -22,6 +22,9 @@ struct Reproduction {
 std::vector<Row> simulate(const Reproduction& reproduction, const std::string& name,
                           const std::vector<Scene>& scenes);
 
+/// @throw std::runtime_error after SIGINT or SIGTERM.
+void break_off_if_interrupted();
+
 /// Each scene with the seeds 1 … lattices; a scene's own keys change fastest.
 std::vector<Scene> with_seeds(const std::vector<Scene>& scenes, int lattices);
 

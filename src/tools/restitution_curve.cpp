@@ -65,12 +65,16 @@ void add_fits(const std::string& name, const Ensemble& curves, const ElasticDisk
   add_fit(name, "c", curves, 1.0, table);
 }
 
-double fitted_restitution(const Ensemble& curves, const ElasticDisk& disk, double velocity) {
-  const double c_s = sound_speed(disk.young_modulus);
-  const EnsembleFit result = fit_ensemble(in_units_of(curves, c_s), fit_restitution);
-  if (!result.fit.declined.empty()) return LawFit::kNaN;
-  return closed_form_restitution(result.fit.parameters[0].value, result.fit.parameters[1].value,
-                                 velocity / c_s);
+std::vector<double> fitted_curve(const Ensemble& curves, const ElasticDisk& disk) {
+  const Ensemble scaled = in_units_of(curves, sound_speed(disk.young_modulus));
+  const Fit fit = fit_mean(scaled, fit_restitution);
+  std::vector<double> curve(curves.x.size(), LawFit::kNaN);
+  if (!fit.declined.empty()) return curve;
+  for (std::size_t k = 0; k < curve.size(); ++k) {
+    curve[k] =
+        closed_form_restitution(fit.parameters[0].value, fit.parameters[1].value, scaled.x[k]);
+  }
+  return curve;
 }
 
 }  // namespace impact

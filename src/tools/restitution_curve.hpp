@@ -23,8 +23,8 @@ Table fit_table();
 void add_fits(const std::string& name, const Ensemble& curves, const ElasticDisk& disk,
               Table& table);
 
-/// The value of eq. (5) with the parameters of the fit of all speeds with c_s, at this speed (c);
-/// NaN when it is declined.
-double fitted_restitution(const Ensemble& curves, const ElasticDisk& disk, double velocity);
+/// Eq. (5) at each speed, with the parameters of the fit of all speeds with c_s; NaN when it is
+/// declined.
+std::vector<double> fitted_curve(const Ensemble& curves, const ElasticDisk& disk);
 
 }  // namespace impact

@@ -395,7 +395,7 @@ Mean mean(const std::vector<double>& values) {
   return {sample.mean(), std::sqrt((sample - sample.mean()).square().sum() / (n - 1.0) / n)};
 }
 
-/// A piece of 1/4 of the width and height around the middle.
+/// Half of the width and half of the height, around the middle.
 ElasticConstants constants_of_stretched(const Scene& scene) {
   impact::Run run(scene);
   run.advance();
