@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 namespace impact {
@@ -100,6 +101,9 @@ Eigen::Matrix3d periodic_stiffness(const PeriodicPatch& patch, double k_a) {
   const Eigen::MatrixX3d by_strain = elongation_by_strain(patch);
   const SparseMatrix transposed = by_displacement.transpose();
   const Eigen::SimplicialLDLT<SparseMatrix> factorised(transposed * by_displacement);
+  if (factorised.info() != Eigen::Success) {
+    throw std::runtime_error("the stiffness of the periodic patch is singular");
+  }
   const Eigen::MatrixXd displacement = -factorised.solve(transposed * by_strain);
   const Eigen::MatrixX3d elongation = by_strain + by_displacement * displacement;
   return k_a / (patch.width * patch.height) * by_strain.transpose() * elongation;

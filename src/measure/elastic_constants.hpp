@@ -18,6 +18,7 @@ struct ElasticConstants {
 /// (σ_xx, σ_yy, σ_xy) = C (ε_xx, ε_yy, 2 ε_xy). Each macroscopic strain elongates the bonds; the
 /// points then move from their affine places, periodically, until all forces vanish (sparse LDLᵀ,
 /// one point tied): A. Lemaître and C. Maloney, J. Stat. Phys. 123 (2006) 415.
+/// @throw std::runtime_error when the springs do not hold the lattice in shape.
 Eigen::Matrix3d periodic_stiffness(const PeriodicPatch& patch, double k_a);
 
 /// Of the isotropic sheet whose stiffness is the average of this one over all orientations:

@@ -16,7 +16,8 @@ constexpr ElasticDisk kPaperDisk{1.0, 0.075};  // only P/(πE) counts, so E may 
 
 /// Pressure is sampled in bins of this part of Hertz's half width.
 constexpr double kBin = 0.1;
-constexpr int kBins = 40;  // from −2 to 2 half widths
+constexpr int kBins = 40;
+constexpr double kReach = 2.0;  // half widths to either side
 
 Scene contact(double load) {
   Scene scene;
@@ -126,7 +127,7 @@ class PressureProfile {
  private:
   void spread(double x, double force) {
     for (int bin = 0; bin < kBins; ++bin) {
-      const double begin = (bin - kBins / 2) * kBin;
+      const double begin = bin * kBin - kReach;
       const double overlap =
           std::min(begin + kBin, x + 0.5 * piece_) - std::max(begin, x - 0.5 * piece_);
       force_[static_cast<std::size_t>(bin)] += force * std::max(0.0, overlap) / piece_;
@@ -167,7 +168,7 @@ void write_pressure(const Reproduction& reproduction, const ElasticDisk& disk) {
 
   Table table({"x_by_half_width", "hertz", "N_1099", "N_16000", "N_16000_a_3000"});
   for (int bin = 0; bin < kBins; ++bin) {
-    const double x = (bin - kBins / 2 + 0.5) * kBin;
+    const double x = (bin + 0.5) * kBin - kReach;
     const double inside = std::max(0.0, 1.0 - x * x);
     table << x << 2.0 / M_PI * std::sqrt(inside) << of_coarse.pressure(bin) << of_fine.pressure(bin)
           << of_hard.pressure(bin);
