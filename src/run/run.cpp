@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::uint64_t kCheckSteps = 64;
 constexpr int kMostHalvings = 20;
+constexpr double kManyHops = 0.01;  // of the impact's energy
 
 /// The force above which a point is listed as in contact: 10⁻⁶ of the load, or of M v c/R.
 double contact_force(const Scene& scene) {
@@ -19,6 +20,14 @@ double contact_force(const Scene& scene) {
 bool is_cut_off(const Scene& scene, const ForceField& field) {
   return field.elastic_wall && field.elastic_wall->potential_at(field.elastic_wall->threshold()) >
                                    negligible_wall_energy(scene);
+}
+
+/// Whether contacts that passed from bond to bond, or over the edge of the wall, changed the energy
+/// of the impact by more than a little.
+bool hops_matter(const Scene& scene, const Simulation& simulation) {
+  const double impact_energy = 0.5 * scene.impact.velocity * scene.impact.velocity;
+  return simulation.field().elastic_wall &&
+         simulation.field().elastic_wall->hops_size() > kManyHops * impact_energy;
 }
 
 }  // namespace
@@ -123,6 +132,7 @@ void Run::finish() {
   look();
   if (monitor_.error() > scene_.numerics.error) flags_.emplace_back("energy_error");
   if (folded_) flags_.emplace_back("folded");
+  if (hops_matter(scene_, simulation_)) flags_.emplace_back("hops");
   if (simulation_.halvings() > 0) flags_.emplace_back("step_reduced");
 }
 

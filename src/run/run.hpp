@@ -61,6 +61,7 @@ class Run {
   /// where it ends abruptly: see negligible_wall_energy()), `step_reduced` (the wall grew too stiff
   /// for the step, which was halved), `energy_error` (above numerics.error), `folded` (a triangle
   /// of a lattice turned over at one of the looks that are taken every 64 steps and at the end),
+  /// `hops` (EnergyLedger::hops_size exceeds 1 % of the impact's energy),
   /// `not_separated` or `not_at_rest` (given up).
   const std::vector<std::string>& flags() const { return flags_; }
 

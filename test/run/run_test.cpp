@@ -339,6 +339,22 @@ TEST(AbsorbingWall, FlagsAThresholdThatIsFelt) {
   EXPECT_TRUE(has_flag(impact::Run(scene), "cut_off"));
 }
 
+/// A wall so narrow that the contact reaches over its edge, where the force ends at once.
+TEST(AbsorbingWall, FlagsHopsThatMatter) {
+  Scene scene = absorbing_wall(Boundary::kFixed);
+  scene.impact.velocity = 0.05;
+  for (const bool narrow : {false, true}) {
+    if (narrow) {
+      scene.wall.points = 50;
+      scene.wall.width = 0.35;
+      scene.wall.height = 1.0;
+    }
+    impact::Run run(scene);
+    while (!run.finished()) run.advance();
+    EXPECT_EQ(has_flag(run, "hops"), narrow);
+  }
+}
+
 TEST(AbsorbingWall, HasAStateOfEachBody) {
   impact::Run run(absorbing_wall());
   ASSERT_NE(run.wall_lattice(), nullptr);
