@@ -5,8 +5,8 @@
 namespace impact {
 namespace {
 
-/// Measured on 200 periodic lattices of 4000 points without a rim, of springs of equal k_a (see
-/// periodic_stiffness(); doc/report.md).
+/// Measured on periodic lattices of 4000 points without a rim, of springs of equal k_a (the
+/// periodic patches of doc/report.md).
 struct PeriodicBulk {
   const char* placement;
   double young_modulus_by_k_a;

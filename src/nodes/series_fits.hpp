@@ -25,8 +25,8 @@ class SeriesFits {
   SeriesFits(const ElasticParameters& elastic, Output output)
       : elastic_(elastic), output_(std::move(output)) {}
 
-  /// Takes in a run that has ended. Those without an answer and those with the flag energy_error
-  /// are counted, not fitted.
+  /// Takes in a run that has ended. Those without a sound answer (is_sound()) are counted, not
+  /// fitted.
   void add(const ClosedRun& run);
 
  private:

@@ -110,12 +110,13 @@ struct Bodies {
   Lattice all() const { return wall ? joined(disk, wall->lattice) : disk; }
 };
 
-/// The disk above the wall, which is at rest with its surface at y = 0.
-State initial_state(const Scene& scene, const Bodies& bodies, const PotentialWall& wall) {
-  const PointArray& reference = bodies.disk.points;
+/// The disk above the wall, which is at rest with its surface at y = 0. `all`: the disk's reference
+/// points and, after them, the wall's.
+State initial_state(const Scene& scene, const PointArray& reference, const PointArray& all,
+                    const PotentialWall& wall) {
   const Eigen::Index points = reference.rows();
   State state;
-  state.position = bodies.all().points;
+  state.position = all;
   state.velocity = PointArray::Zero(state.position.rows(), 2);
   double lowest = 0.0;
   if (scene.kind == SceneKind::kContact) {
@@ -157,7 +158,7 @@ Composition compose_on_wall(const Scene& scene) {
   const double part = scene.wall.kind == WallKind::kLattice ? 0.5 : 1.0;
   const PotentialWall wall(scene.wall.a, scene.wall.v0.value_or(part * scene.wall.a * mass));
 
-  State initial = initial_state(scene, bodies, wall);
+  State initial = initial_state(scene, bodies.disk.points, all.points, wall);
   ForceField field{BondForces(all, law), mass};
   add_terms(scene, bodies, wall, initial.position, field);
   const double sound_speed = estimated_sound_speed(law.k_a);
