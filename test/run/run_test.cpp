@@ -94,20 +94,24 @@ TEST(Collision, OfTheMirrorImageIsTheMirrorImage) {
 }
 
 /// Bit for bit, whether the step divides the period or not, or is longer than it.
+void expect_same_for_all_periods(Scene scene, const Restitution& reference) {
+  for (const double period : {0.2, 0.017, 0.0003, 1000.0}) {
+    scene.output.period = period;
+    const Restitution other = impact_of(scene);
+    EXPECT_EQ(other.restitution, reference.restitution);
+    EXPECT_EQ(other.contact_duration, reference.contact_duration);
+    EXPECT_EQ(other.peak_force, reference.peak_force);
+    EXPECT_EQ(other.impulse, reference.impulse);
+    EXPECT_EQ(other.spin_after, reference.spin_after);
+  }
+}
+
 TEST(Collision, DoesNotDependOnTheOutputPeriod) {
   for (const int points : {3, 30, 1099}) {
     Scene scene;
     scene.disk.recipe.points = points;
     scene.output.period = 0.02;
-    const Restitution reference = impact_of(scene);
-    for (const double period : {0.2, 0.017, 0.0003, 1000.0}) {
-      scene.output.period = period;
-      const Restitution other = impact_of(scene);
-      EXPECT_EQ(other.restitution, reference.restitution);
-      EXPECT_EQ(other.contact_duration, reference.contact_duration);
-      EXPECT_EQ(other.peak_force, reference.peak_force);
-      EXPECT_EQ(other.impulse, reference.impulse);
-    }
+    expect_same_for_all_periods(scene, impact_of(scene));
   }
 }
 
@@ -276,21 +280,13 @@ Scene absorbing_wall(Boundary boundary = Boundary::kReset) {
   return scene;
 }
 
-/// Bit for bit, whether the step divides the period or not, or is longer than it.
 TEST(AbsorbingWall, RestitutionDoesNotDependOnTheOutputPeriod) {
   for (const Boundary boundary : {Boundary::kReset, Boundary::kFixed, Boundary::kViscous}) {
     Scene scene = absorbing_wall(boundary);
     const Restitution reference = impact_of(scene);
     EXPECT_GT(reference.restitution, 0.3);
     EXPECT_LT(reference.restitution, 1.0);
-    for (const double period : {0.2, 0.017, 0.0003, 1000.0}) {
-      scene.output.period = period;
-      const Restitution other = impact_of(scene);
-      EXPECT_EQ(other.restitution, reference.restitution);
-      EXPECT_EQ(other.contact_duration, reference.contact_duration);
-      EXPECT_EQ(other.peak_force, reference.peak_force);
-      EXPECT_EQ(other.spin_after, reference.spin_after);
-    }
+    expect_same_for_all_periods(scene, reference);
   }
 }
 
