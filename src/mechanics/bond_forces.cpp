@@ -7,7 +7,8 @@ namespace impact {
 BondForces::BondForces(const Lattice& lattice, const BondLaw& law)
     : law_(law),
       begin_(static_cast<std::size_t>(lattice.points.rows()) + 1, 0),
-      kernel_(choose_kernel(law)) {
+      kernel_(choose_kernel(law.k_b != 0.0, law.eta != 0.0)),
+      elastic_kernel_(choose_kernel(law.k_b != 0.0, false)) {
   neighbours_.reserve(lattice.bonds.size());
   for (std::size_t k = 0; k < lattice.bonds.size(); ++k) {
     neighbours_.push_back({lattice.bonds[k].second, lattice.natural_lengths[k]});
@@ -16,11 +17,9 @@ BondForces::BondForces(const Lattice& lattice, const BondLaw& law)
   for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
 }
 
-BondForces::Kernel BondForces::choose_kernel(const BondLaw& law) {
-  if (law.k_b != 0.0) {
-    return law.eta != 0.0 ? &BondForces::add<true, true> : &BondForces::add<true, false>;
-  }
-  return law.eta != 0.0 ? &BondForces::add<false, true> : &BondForces::add<false, false>;
+BondForces::Kernel BondForces::choose_kernel(bool cubic, bool damped) {
+  if (cubic) return damped ? &BondForces::add<true, true> : &BondForces::add<true, false>;
+  return damped ? &BondForces::add<false, true> : &BondForces::add<false, false>;
 }
 
 template <bool kCubic, bool kDamped>
@@ -116,6 +115,22 @@ std::vector<Eigen::Triplet<double>> BondForces::stiffness(const PointArray& posi
           entries.emplace_back(row * points + j, column * points + i, -value);
         }
       }
+    }
+  }
+  return entries;
+}
+
+std::vector<Eigen::Triplet<double>> BondForces::damping() const {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(4 * neighbours_.size());
+  for (std::size_t place = 0; place + 1 < begin_.size(); ++place) {
+    const auto i = static_cast<std::int32_t>(place);
+    for (std::int32_t k = begin_[place]; k < begin_[place + 1]; ++k) {
+      const std::int32_t j = neighbours_[static_cast<std::size_t>(k)].point;
+      entries.emplace_back(i, i, law_.eta);
+      entries.emplace_back(j, j, law_.eta);
+      entries.emplace_back(i, j, -law_.eta);
+      entries.emplace_back(j, i, -law_.eta);
     }
   }
   return entries;

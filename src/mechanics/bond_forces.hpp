@@ -33,6 +33,17 @@ class BondForces {
     return (this->*kernel_)(position, velocity, force);
   }
 
+  /// The same without damping.
+  void add_elastic_forces(const PointArray& position, PointArray& force) const {
+    (this->*elastic_kernel_)(position, position, force);
+  }
+
+  /// The entries of the Laplacian matrix of the damping, η on the diagonal for each bond of a point
+  /// and −η between its ends (M c/R), those of one place to be added up.
+  std::vector<Eigen::Triplet<double>> damping() const;
+
+  Eigen::Index points() const { return static_cast<Eigen::Index>(begin_.size()) - 1; }
+
   /// Σ k_a x²/2 + k_b x⁴/4, in M c².
   double potential_energy(const PointArray& position) const {
     return potential_energy(position, 0, position.rows());
@@ -61,12 +72,13 @@ class BondForces {
   double add(const PointArray& position, const PointArray& velocity, PointArray& force) const;
 
   using Kernel = double (BondForces::*)(const PointArray&, const PointArray&, PointArray&) const;
-  static Kernel choose_kernel(const BondLaw& law);
+  static Kernel choose_kernel(bool cubic, bool damped);
 
   BondLaw law_;
   std::vector<std::int32_t> begin_;  ///< bonds of point i: neighbours_[begin_[i]] … [begin_[i + 1]]
   std::vector<Neighbour> neighbours_;
   Kernel kernel_;
+  Kernel elastic_kernel_;
 };
 
 }  // namespace impact

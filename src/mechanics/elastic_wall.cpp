@@ -17,7 +17,7 @@ ElasticWall::ElasticWall(const WallContact& law, double threshold, GapMeasure me
       bond_(static_cast<std::size_t>(disk_points), kNone) {
   PointArray unused = PointArray::Zero(position.rows(), 2);
   add_forces(position, unused);
-  hops_ = hops_size_ = 0.0;
+  counted_bond_ = bond_;
 }
 
 void ElasticWall::add_forces(const PointArray& position, PointArray& force) {
@@ -58,19 +58,14 @@ void ElasticWall::add(const PointArray& position, PointArray& force) {
   clear();
   const double highest = highest_in_reach(position);
   for (Eigen::Index i = 0; i < disk_points_; ++i) {
-    const std::int32_t before = bond_[static_cast<std::size_t>(i)];
-    if (position(i, 1) > highest) {
-      if (before != kNone) change_bond(position, i, kNone);
+    std::int32_t& bond = bond_[static_cast<std::size_t>(i)];
+    bond = position(i, 1) > highest ? kNone : bond_below(position, position(i, 0), bond);
+    if (bond == kNone) continue;
+    const Gap gap_now = gap<kMeasure>(position, i, bond);
+    if (gap_now.length >= threshold_) {
+      bond = kNone;
       continue;
     }
-    std::int32_t bond = bond_below(position, position(i, 0), before);
-    Gap gap_now{};
-    if (bond != kNone) {
-      gap_now = gap<kMeasure>(position, i, bond);
-      if (gap_now.length >= threshold_) bond = kNone;
-    }
-    if (bond != before) change_bond(position, i, bond);
-    if (bond == kNone) continue;
 
     const double size = force_at(gap_now.length);
     const Eigen::Array2d push = size * gap_now.normal;
@@ -113,13 +108,16 @@ std::int32_t ElasticWall::bond_below(const PointArray& position, double x,
   return k;
 }
 
-void ElasticWall::change_bond(const PointArray& position, Eigen::Index point, std::int32_t bond) {
-  std::int32_t& present = bond_[static_cast<std::size_t>(point)];
-  const double change =
-      potential_of(position, point, bond) - potential_of(position, point, present);
-  hops_ += change;
-  hops_size_ += std::abs(change);
-  present = bond;
+void ElasticWall::count_hops(const PointArray& position) {
+  for (std::size_t i = 0; i < bond_.size(); ++i) {
+    if (bond_[i] == counted_bond_[i]) continue;
+    const auto point = static_cast<Eigen::Index>(i);
+    const double change =
+        potential_of(position, point, bond_[i]) - potential_of(position, point, counted_bond_[i]);
+    hops_ += change;
+    hops_size_ += std::abs(change);
+  }
+  counted_bond_ = bond_;
 }
 
 double ElasticWall::potential_of(const PointArray& position, Eigen::Index point,

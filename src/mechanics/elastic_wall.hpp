@@ -38,14 +38,19 @@ class ElasticWall : public WallContact {
 
   void add_forces(const PointArray& position, PointArray& force);
 
+  /// Compares the bonds below the points with those at the count before. To be called where a step
+  /// of the motion is done, at the position of the last evaluation: those between, of the stages of
+  /// an integrator, do not count.
+  void count_hops(const PointArray& position);
+
   /// Gap (R) from which on nothing is felt.
   double threshold() const { return threshold_; }
 
   /// With the bond below each point as in the last evaluation.
   double potential_energy(const PointArray& position) const;
 
-  /// Energy that appeared because a point in reach came to another bond, or in or out of reach, at
-  /// the evaluations so far (M c²): the sum of its changes, and of their sizes.
+  /// Energy that appeared because a point in reach came to another bond, or in or out of reach,
+  /// from count to count so far (M c²): the sum of its changes, and of their sizes.
   double hops() const { return hops_; }
   double hops_size() const { return hops_size_; }
 
@@ -74,14 +79,14 @@ class ElasticWall : public WallContact {
   /// The bond straight below a place; kNone beside the wall.
   std::int32_t bond_below(const PointArray& position, double x, std::int32_t guess) const;
   double highest_in_reach(const PointArray& position) const;
-  void change_bond(const PointArray& position, Eigen::Index point, std::int32_t bond);
   double potential_of(const PointArray& position, Eigen::Index point, std::int32_t bond) const;
 
   double threshold_;
   GapMeasure measure_;
   Eigen::Index disk_points_;
   std::vector<std::int32_t> surface_;
-  std::vector<std::int32_t> bond_;  ///< below each point of the disk; kNone: out of reach
+  std::vector<std::int32_t> bond_;          ///< below each point of the disk; kNone: out of reach
+  std::vector<std::int32_t> counted_bond_;  ///< the same at the last count
   double hops_ = 0.0;
   double hops_size_ = 0.0;
 };

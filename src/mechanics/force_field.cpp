@@ -1,19 +1,58 @@
 #include "mechanics/force_field.hpp"
 
 namespace impact {
+namespace {
+
+void add_wall_and_load(ForceField& field, const PointArray& position, PointArray& force) {
+  if (field.wall) field.wall->add_forces(position, force);
+  if (field.elastic_wall) field.elastic_wall->add_forces(position, force);
+  if (field.load) field.load->add_forces(force);
+}
+
+void constrain(ForceField& field, PointArray& force) {
+  if (field.hold) field.hold->apply(force);
+  if (field.supports) field.supports->apply(force);
+}
+
+}  // namespace
 
 Losses ForceField::evaluate(const PointArray& position, const PointArray& velocity,
                             PointArray& force) {
+  ++evaluations;
   force.setZero();
   Losses power;
   power.dissipated = bonds.add_forces(position, velocity, force);
-  if (wall) wall->add_forces(position, force);
-  if (elastic_wall) elastic_wall->add_forces(position, force);
-  if (load) load->add_forces(force);
+  add_wall_and_load(*this, position, force);
   if (viscous_boundary) power.absorbed = viscous_boundary->add_forces(velocity, force);
-  if (hold) hold->apply(force);
-  if (supports) supports->apply(force);
+  constrain(*this, force);
   return power;
+}
+
+void ForceField::evaluate_undamped(const PointArray& position, PointArray& force) {
+  ++evaluations;
+  force.setZero();
+  bonds.add_elastic_forces(position, force);
+  add_wall_and_load(*this, position, force);
+  constrain(*this, force);
+}
+
+Eigen::SparseMatrix<double> ForceField::damping(int axis) const {
+  std::vector<Eigen::Triplet<double>> entries = bonds.damping();
+  if (viscous_boundary) {
+    for (const ViscousBoundary::Dashpot& dashpot : viscous_boundary->dashpots()) {
+      entries.emplace_back(dashpot.point, dashpot.point, dashpot.coefficient(axis));
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(bonds.points(), bonds.points());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  if (!supports) return matrix;
+  std::vector<bool> held(static_cast<std::size_t>(bonds.points()), false);
+  for (const std::int32_t point : supports->held(axis))
+    held[static_cast<std::size_t>(point)] = true;
+  matrix.prune([&](Eigen::Index row, Eigen::Index column, double) {
+    return !held[static_cast<std::size_t>(row)] && !held[static_cast<std::size_t>(column)];
+  });
+  return matrix;
 }
 
 double ForceField::potential_energy(const PointArray& position) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/SparseCore>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,10 +37,18 @@ struct ForceField {
   std::optional<VelocityReset> velocity_reset{};
   std::optional<RotationHold> hold{};
   std::optional<Supports> supports{};
+  std::uint64_t evaluations = 0;  ///< of the forces, so far
 
   /// Overwrites `force` (M c²/R, one row a point) with the total force on each point. Returns the
   /// powers lost.
   Losses evaluate(const PointArray& position, const PointArray& velocity, PointArray& force);
+
+  /// The same without damping: the force on points at rest.
+  void evaluate_undamped(const PointArray& position, PointArray& force);
+
+  /// The matrix D of the damping forces −D v along one axis (0: x, 1: y), in M c/R: those of the
+  /// bonds and of a viscous boundary. Rows and columns of supported coordinates are empty.
+  Eigen::SparseMatrix<double> damping(int axis) const;
 
   /// Of bonds, wall and load, in M c².
   double potential_energy(const PointArray& position) const;

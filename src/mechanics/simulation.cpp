@@ -13,16 +13,20 @@ constexpr double kWallMargin = 4.0;
 
 }  // namespace
 
-Simulation::Simulation(ForceField field, State initial, const Spectrum& spectrum, double step)
+Simulation::Simulation(ForceField field, State initial, const Spectrum& spectrum, double step,
+                       std::unique_ptr<Integrator> integrator)
     : field_(std::move(field)),
       state_(std::move(initial)),
       spectrum_(spectrum),
-      integrator_(field_, state_),
-      step_size_(step) {}
+      integrator_(std::move(integrator)),
+      step_size_(step) {
+  integrator_->restart(field_, state_);
+}
 
 void Simulation::step() {
   if (const WallContact* const wall = field_.contact()) watch_wall(*wall);
-  const Losses lost = integrator_.step(field_, state_, step_size_);
+  const Losses lost = integrator_->step(field_, state_, step_size_);
+  if (field_.elastic_wall) field_.elastic_wall->count_hops(state_.position);
   losses_.dissipated += lost.dissipated;
   losses_.absorbed += lost.absorbed;
   ++ticks_;
@@ -36,7 +40,7 @@ void Simulation::reset_velocities() {
   const auto steps = static_cast<std::uint64_t>(std::llround(reset.interval() / step_size_));
   if (ticks_ % steps != 0) return;
   losses_.absorbed += reset.apply(state_.velocity, field_.point_mass);
-  if (field_.damped()) integrator_.evaluate(field_, state_);
+  integrator_->take_velocity(field_, state_);
 }
 
 bool Simulation::settle(double tolerance) {
@@ -70,7 +74,7 @@ void Simulation::watch_wall(const WallContact& wall) {
     const double force = wall.largest_force() * std::exp(wall.a() * approach * step_size_);
     const double omega_squared =
         spectrum_.omega_squared + kWallMargin * wall.stiffness(force) / field_.point_mass;
-    return verlet_step_limit(omega_squared, spectrum_.gamma);
+    return integrator_->step_limit(omega_squared, spectrum_.gamma);
   };
   while (step_size_ > limit()) {
     step_size_ /= 2.0;
@@ -82,7 +86,7 @@ void Simulation::watch_wall(const WallContact& wall) {
 double Simulation::largest_static_force() const {
   ForceField field = field_;
   PointArray force(state_.position.rows(), 2);
-  field.evaluate(state_.position, PointArray::Zero(state_.position.rows(), 2), force);
+  field.evaluate_undamped(state_.position, force);
   return force.abs().maxCoeff();
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <memory>
+
 #include "mechanics/energy_ledger.hpp"
 #include "mechanics/force_field.hpp"
+#include "mechanics/integrator.hpp"
 #include "mechanics/spectrum.hpp"
 #include "mechanics/state.hpp"
 #include "mechanics/static_equilibrium.hpp"
@@ -11,18 +14,20 @@ namespace impact {
 
 /// A scene in motion: its state, the forces on it, its integrator and step.
 ///
-/// The wall grows stiffer the deeper a point is pressed into it. Before each step the stability
-/// bound is looked at with four times the stiffness a F of the largest force that a point may meet
-/// in that step, F exp(a v h) with the greatest speed v at which a point of the disk and one of the
-/// wall may approach. The step is halved from there on while it exceeds the bound.
+/// The wall grows stiffer the deeper a point is pressed into it. Before each step the integrator's
+/// stability bound is looked at with four times the stiffness a F of the largest force that a point
+/// may meet in that step, F exp(a v h) with the greatest speed v at which a point of the disk and
+/// one of the wall may approach. The step is halved from there on while it exceeds the bound.
 ///
 /// Where the field has a velocity reset, it acts at the end of each step that completes its
 /// interval.
 class Simulation {
  public:
-  /// `step` in R/c. It must be stable for the spectrum, see verlet_step_limit(), and divide the
-  /// interval of a velocity reset.
-  Simulation(ForceField field, State initial, const Spectrum& spectrum, double step);
+  /// `step` in R/c. It must be stable for the spectrum, see Integrator::step_limit(), and divide
+  /// the interval of a velocity reset. An integrator that chooses steps by itself goes from one
+  /// multiple of `step` to the next.
+  Simulation(ForceField field, State initial, const Spectrum& spectrum, double step,
+             std::unique_ptr<Integrator> integrator = std::make_unique<VelocityVerlet>());
 
   void step();
 
@@ -56,7 +61,7 @@ class Simulation {
   ForceField field_;
   State state_;
   Spectrum spectrum_;
-  VelocityVerlet integrator_;
+  std::unique_ptr<Integrator> integrator_;
   double step_size_;
   std::uint64_t ticks_ = 0;  ///< time in units of the present step
   int halvings_ = 0;

@@ -4,15 +4,15 @@
 
 namespace impact {
 
-VelocityVerlet::VelocityVerlet(ForceField& field, const State& state)
-    : acceleration_(state.position.rows(), 2) {
+void VelocityVerlet::restart(ForceField& field, const State& state) {
+  acceleration_.resizeLike(state.position);
   if (field.damped()) predicted_velocity_.resizeLike(state.velocity);
-  evaluate(field, state);
-}
-
-void VelocityVerlet::evaluate(ForceField& field, const State& state) {
   power_ = field.evaluate(state.position, state.velocity, acceleration_);
   acceleration_ /= field.point_mass;
+}
+
+void VelocityVerlet::take_velocity(ForceField& field, const State& state) {
+  if (field.damped()) restart(field, state);
 }
 
 Losses VelocityVerlet::step(ForceField& field, State& state, double h) {
@@ -30,7 +30,7 @@ Losses VelocityVerlet::step(ForceField& field, State& state, double h) {
           0.5 * h * (before.absorbed + power_.absorbed)};
 }
 
-double verlet_step_limit(double omega_squared, double gamma) {
+double VelocityVerlet::step_limit(double omega_squared, double gamma) const {
   return 2.0 / (gamma + std::sqrt(gamma * gamma + omega_squared));
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "mechanics/force_field.hpp"
-#include "mechanics/state.hpp"
+#include "mechanics/integrator.hpp"
 
 namespace impact {
 
@@ -12,32 +11,25 @@ namespace impact {
 ///   aₙ₊₁  = F(xₙ₊₁, vₙ + h aₙ)/m
 ///   vₙ₊₁  = v½ + h aₙ₊₁/2
 /// The prediction errs by O(h²), so the damped form keeps second order; taking v½ instead would
-/// leave first order. Without damping the scheme is symplectic.
+/// leave first order. Without damping the scheme is symplectic. One force evaluation a step.
 ///
 /// A mode of frequency ω and damping rate γ (ẍ = −ω² x − γ ẋ) is stable while
 ///   h² ω²/4 + h γ ≤ 1,
 /// the point at which an eigenvalue of the step matrix reaches −1: h ≤ 2/ω undamped, h ≤ 1/γ
 /// overdamped.
-class VelocityVerlet {
+class VelocityVerlet : public Integrator {
  public:
-  /// Evaluates the forces at the initial state.
-  VelocityVerlet(ForceField& field, const State& state);
+  static constexpr int kOrder = 2;
 
-  /// Evaluates the forces anew, at a state that was changed from outside.
-  void evaluate(ForceField& field, const State& state);
-
-  /// Advances position and velocity by h (R/c) with one force evaluation; leaves time and step
-  /// count to the caller. Returns the energy lost (M c², trapezoidal rule).
-  Losses step(ForceField& field, State& state, double h);
+  void restart(ForceField& field, const State& state) override;
+  void take_velocity(ForceField& field, const State& state) override;
+  Losses step(ForceField& field, State& state, double h) override;
+  double step_limit(double omega_squared, double gamma) const override;
 
  private:
   PointArray acceleration_;
   PointArray predicted_velocity_;  ///< empty without damping
   Losses power_;
 };
-
-/// Largest stable step (R/c) for modes up to frequency² `omega_squared` (c²/R²) and damping rate
-/// up to `gamma` (c/R).
-double verlet_step_limit(double omega_squared, double gamma);
 
 }  // namespace impact

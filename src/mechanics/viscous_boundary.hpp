@@ -24,15 +24,22 @@ class ViscousBoundary {
 
   /// Adds the forces (M c²/R). Returns the power that is absorbed (M c³/R).
   double add_forces(const PointArray& velocity, PointArray& force) const {
+    for (const Dashpot& dashpot : dashpots_) {
+      force.row(dashpot.point) -= dashpot.coefficient.transpose() * velocity.row(dashpot.point);
+    }
+    return power(velocity);
+  }
+
+  /// The power that would be absorbed at these velocities (M c³/R).
+  double power(const PointArray& velocity) const {
     double power = 0.0;
     for (const Dashpot& dashpot : dashpots_) {
-      const Eigen::Array2d speed = velocity.row(dashpot.point).transpose();
-      const Eigen::Array2d drag = dashpot.coefficient * speed;
-      force.row(dashpot.point) -= drag.transpose();
-      power += (drag * speed).sum();
+      power += (dashpot.coefficient * velocity.row(dashpot.point).transpose().square()).sum();
     }
     return power;
   }
+
+  const std::vector<Dashpot>& dashpots() const { return dashpots_; }
 
   /// Largest coefficient, M c/R.
   double largest_coefficient() const {

@@ -24,8 +24,9 @@ double automatic_step(const Scene& scene, const Spectrum& spectrum, const WallCo
   const double ends = scene.wall.kind == WallKind::kLattice ? kBothEndsMove : 1.0;
   const double stiffness = wall.stiffness(largest_point_force(scene, points, sound_speed));
   const double omega_squared = spectrum.omega_squared + ends * stiffness * points;
-  const double step = std::min(kAccuracyFactor * 2.0 / std::sqrt(omega_squared),
-                               kStabilityFactor * verlet_step_limit(omega_squared, spectrum.gamma));
+  const double step =
+      std::min(kAccuracyFactor * 2.0 / std::sqrt(omega_squared),
+               kStabilityFactor * VelocityVerlet().step_limit(omega_squared, spectrum.gamma));
   return round_down_to_125(std::min(step, kLargestStep));
 }
 
@@ -58,7 +59,7 @@ double dividing_resets(const Scene& scene, double step) {
 }
 
 double given_step(const Scene& scene, const Spectrum& spectrum) {
-  const double limit = verlet_step_limit(spectrum.omega_squared, spectrum.gamma);
+  const double limit = VelocityVerlet().step_limit(spectrum.omega_squared, spectrum.gamma);
   if (*scene.numerics.step > limit) {
     throw InputError(fmt::format(
         "numerics.step: got {}, allowed: at most {:.4g} R/c, the stability limit of velocity "

@@ -40,6 +40,7 @@ ElasticWall wall_at(const PointArray& position, GapMeasure measure) {
 PointArray forces(ElasticWall& wall, const PointArray& position) {
   PointArray force = PointArray::Zero(position.rows(), 2);
   wall.add_forces(position, force);
+  wall.count_hops(position);
   return force;
 }
 

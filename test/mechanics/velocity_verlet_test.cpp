@@ -21,7 +21,8 @@ struct Oscillator {
   }
 
   double elongation_after(double time, double h) {
-    VelocityVerlet verlet(field, state);
+    VelocityVerlet verlet;
+    verlet.restart(field, state);
     const auto steps = static_cast<int>(std::lround(time / h));
     for (int k = 0; k < steps; ++k) verlet.step(field, state, h);
     return state.position(1, 0) - state.position(0, 0) - 1.0;
@@ -69,7 +70,8 @@ INSTANTIATE_TEST_SUITE_P(Damping, Order, testing::Values(0.0, 0.05, 0.3));
 TEST(VelocityVerlet, DissipatedEnergyIsThatLost) {
   const auto defect = [](double h) {
     Oscillator oscillator({1.0, 0.0, 0.3});
-    VelocityVerlet verlet(oscillator.field, oscillator.state);
+    VelocityVerlet verlet;
+    verlet.restart(oscillator.field, oscillator.state);
     double dissipated = 0.0;
     for (double t = 0.0; t < 3.0 - h / 2; t += h) {
       dissipated += verlet.step(oscillator.field, oscillator.state, h).dissipated;
@@ -110,7 +112,7 @@ TEST(VerletStepLimit, IsTheEdgeOfStability) {
   for (double angle = 0.0; angle <= 1.0; angle += 0.05) {
     const double omega_squared = std::cos(angle * M_PI / 2);
     const double gamma = std::sin(angle * M_PI / 2);
-    const double h = verlet_step_limit(omega_squared, gamma);
+    const double h = VelocityVerlet().step_limit(omega_squared, gamma);
     EXPECT_NEAR(h * h * omega_squared / 4.0 + h * gamma, 1.0, 1e-12);
     const double inside = 0.999 * h;
     const double outside = 1.001 * h;

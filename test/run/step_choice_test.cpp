@@ -33,7 +33,7 @@ TEST(ChooseStep, StaysBelowTheLimitOfLatticeDampingAndWall) {
       scene.impact.velocity = velocity;
       const double wall = kWall.stiffness(largest_point_force(scene, kPoints, kSoundSpeed));
       const double limit =
-          verlet_step_limit(spectrum.omega_squared + wall * kPoints, spectrum.gamma);
+          VelocityVerlet().step_limit(spectrum.omega_squared + wall * kPoints, spectrum.gamma);
       EXPECT_LE(step(scene, spectrum), 0.9 * limit);
       EXPECT_GE(step(scene, spectrum), 0.15 * limit);
     }
@@ -88,7 +88,7 @@ TEST(ChooseStep, CountsBothEndsOfAContact) {
     const double one_end = step(scene, {1.0, 0.0});
     scene.wall.kind = WallKind::kLattice;
     const double stiffness = kWall.stiffness(largest_point_force(scene, kPoints, kSoundSpeed));
-    const double limit = verlet_step_limit(1.0 + 2.0 * stiffness * kPoints, 0.0);
+    const double limit = VelocityVerlet().step_limit(1.0 + 2.0 * stiffness * kPoints, 0.0);
     EXPECT_EQ(step(scene, {1.0, 0.0}), round_down_to_125(0.5 * limit));
     if (step(scene, {1.0, 0.0}) < one_end) ++shorter;
   }
