@@ -25,10 +25,7 @@ Vector flat(const PointArray& points) {
 class Search {
  public:
   Search(ForceField& field, PointArray& position)
-      : field_(field),
-        position_(position),
-        at_rest_(PointArray::Zero(position.rows(), 2)),
-        force_(position.rows(), 2) {}
+      : field_(field), position_(position), force_(position.rows(), 2) {}
 
   EquilibriumSearch run(double tolerance) {
     EquilibriumSearch search;
@@ -42,10 +39,15 @@ class Search {
     return search;
   }
 
+  PointArray first_step() {
+    evaluate();
+    return newton_step();
+  }
+
  private:
   /// Evaluates the force at the present position; returns its largest component.
   double evaluate() {
-    field_.evaluate(position_, at_rest_, force_);
+    field_.evaluate_undamped(position_, force_);
     return force_.abs().maxCoeff();
   }
 
@@ -154,7 +156,6 @@ class Search {
 
   ForceField& field_;
   PointArray& position_;
-  PointArray at_rest_;
   PointArray force_;
 };
 
@@ -162,6 +163,10 @@ class Search {
 
 EquilibriumSearch find_equilibrium(ForceField& field, PointArray& position, double tolerance) {
   return Search(field, position).run(tolerance);
+}
+
+PointArray equilibrium_correction(ForceField field, PointArray position) {
+  return Search(field, position).first_step();
 }
 
 }  // namespace impact

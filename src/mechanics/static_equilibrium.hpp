@@ -25,4 +25,8 @@ struct EquilibriumSearch {
 /// Found when no component of the net force exceeds `tolerance` (M c²/R).
 EquilibriumSearch find_equilibrium(ForceField& field, PointArray& position, double tolerance);
 
+/// The displacements of one step of Newton's method from this position, which is close to an
+/// equilibrium: how far it still is from it.
+PointArray equilibrium_correction(ForceField field, PointArray position);
+
 }  // namespace impact

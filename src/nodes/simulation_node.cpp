@@ -21,7 +21,7 @@ constexpr std::int64_t kWindow = 100;           // states ahead of the slowest r
 /// Rough size of the messages of a run, in bytes.
 double expected_size(const Scene& scene, const Composition& composition) {
   const double states = composition.expected_time / scene.output.period + 2.0;
-  const double samples = scene.output.period / composition.step;
+  const double samples = scene.output.period / composition.resolution.step;
   constexpr double kOverhead = 300.0;
   return states * (4.0 * 8.0 * static_cast<double>(composition.initial.position.rows()) +
                    2.0 * 8.0 * samples + kOverhead);
@@ -114,17 +114,27 @@ bool SimulationNode::run_series() {
 }
 
 void SimulationNode::simulate(const Scene& scene) {
-  Run run(scene);
-  start(scene, run);
-  publish_status(run, lattice_impact::RunStatus::RUNNING);
-  publish_output(run);
+  Composition composition = compose(scene);
+  ErrorControl control(scene, composition);
+  std::string failure;
   try {
-    while (!run.finished() && !interrupted()) {
-      run.advance(interrupted);
-      publish_output(run);
+    control.find_resolution(composition, interrupted);
+  } catch (const RunFailure& cause) {
+    failure = cause.what();
+  }
+  composition.resolution = control.resolution();
+  status_.estimated_error = control.estimated_error();
+  Run run(scene, std::move(composition));
+  start(scene, run);
+  try {
+    if (!failure.empty()) throw RunFailure(failure);
+    publish_run(run);
+    if (run.finished() && scene.kind == SceneKind::kContact) {
+      control.accepts(run);
+      status_.estimated_error = control.estimated_error();
     }
-  } catch (const std::runtime_error& failure) {
-    publish_status(run, lattice_impact::RunStatus::FAILED, failure.what());
+  } catch (const std::runtime_error& cause) {
+    publish_status(run, lattice_impact::RunStatus::FAILED, cause.what());
     streams_.close();
     throw;
   }
@@ -134,11 +144,20 @@ void SimulationNode::simulate(const Scene& scene) {
   run_start_ = status_.header.stamp + ros::Duration(1.0);
 }
 
+void SimulationNode::publish_run(Run& run) {
+  publish_status(run, lattice_impact::RunStatus::RUNNING);
+  publish_output(run);
+  while (!run.finished() && !interrupted()) {
+    run.advance(interrupted);
+    publish_output(run);
+  }
+}
+
 void SimulationNode::start(const Scene& scene, const Run& run) {
   status_.sequence = 0;
   status_.states = 0;
   status_.scene = to_yaml(scene);
-  status_.integrator = run.integrator();
+  status_.integrator = name_of(run.integrator());
   status_.terms = run.simulation().field().terms();
 
   send_lattice(Body::kDisk, run.lattice(), run);

@@ -11,6 +11,7 @@
 #include "nodes/node_parameters.hpp"
 #include "nodes/readers.hpp"
 #include "nodes/viewer.hpp"
+#include "run/error_control.hpp"
 #include "run/run.hpp"
 #include "scene/scene.hpp"
 
@@ -34,6 +35,7 @@ class SimulationNode {
 
  private:
   void simulate(const Scene& scene);
+  void publish_run(Run& run);
   void start(const Scene& scene, const Run& run);
   void publish_output(Run& run);
   void send_lattice(Body body, const Lattice& lattice, const Run& run);

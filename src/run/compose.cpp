@@ -11,13 +11,12 @@
 #include "lattice/lammps_data.hpp"
 #include "lattice/placement.hpp"
 #include "run/elastic_wall_body.hpp"
-#include "run/step_choice.hpp"
 
 namespace impact {
 namespace {
 
-/// What an iteration of a static solution counts as, R/c.
-constexpr double kNoMotion = 1.0;
+/// Of a static solution, an iteration of which counts as a step.
+constexpr Resolution kNoMotion{IntegratorKind::kNewton, 1.0, 0.0};
 
 /// E of the triangular lattice, 2/√3 k_a, and the density M/(πR²): close to what random lattices
 /// have (physics: 1.04 … 1.1 k_a).
@@ -97,9 +96,8 @@ Composition compose_stretch(const Scene& scene) {
           {},
           std::move(field),
           std::move(initial),
-          {},
+          {{}, 0.0, estimated_sound_speed(law.k_a)},
           kNoMotion,
-          estimated_sound_speed(law.k_a),
           0.0};
 }
 
@@ -167,9 +165,8 @@ Composition compose_on_wall(const Scene& scene) {
             {},
             std::move(field),
             std::move(initial),
-            {},
+            {{}, 0.0, sound_speed},
             kNoMotion,
-            sound_speed,
             0.0};
   }
   Spectrum spectrum = lattice_spectrum(all, law, mass);
@@ -178,16 +175,15 @@ Composition compose_on_wall(const Scene& scene) {
   }
 
   const double gap = initial.position.col(1).head(points).minCoeff();
-  const double step = choose_step(scene, spectrum, wall, static_cast<int>(points), sound_speed);
+  const Rates rates_of_scene = rates(scene, spectrum, wall, static_cast<int>(points), sound_speed);
   std::optional<Lattice> wall_lattice;
   if (bodies.wall) wall_lattice = std::move(bodies.wall->lattice);
   return {std::move(bodies.disk),
           std::move(wall_lattice),
           std::move(field),
           std::move(initial),
-          spectrum,
-          step,
-          sound_speed,
+          rates_of_scene,
+          first_resolution(scene, rates_of_scene),
           expected_time(scene, sound_speed, points, gap)};
 }
 

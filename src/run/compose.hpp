@@ -4,8 +4,8 @@
 
 #include "lattice/lattice.hpp"
 #include "mechanics/force_field.hpp"
-#include "mechanics/spectrum.hpp"
 #include "mechanics/state.hpp"
+#include "run/resolution.hpp"
 #include "scene/scene.hpp"
 
 namespace impact {
@@ -16,9 +16,8 @@ struct Composition {
   std::optional<Lattice> wall_lattice;  ///< of an elastic wall, above whose surface y = 0 lies
   ForceField field;
   State initial;
-  Spectrum spectrum;
-  double step = 0.0;           ///< R/c
-  double sound_speed = 0.0;    ///< estimate of c_s for step sizes and waiting times, c
+  Rates rates;                 ///< with an estimate of the sound speed
+  Resolution resolution;       ///< the first, see first_resolution()
   double expected_time = 0.0;  ///< rough time at which the run's question is answered, R/c
 };
 

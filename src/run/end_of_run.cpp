@@ -59,10 +59,12 @@ double negligible_static_force(const Scene& scene, Eigen::Index points, double s
 
 std::unique_ptr<EndOfRun> end_of_run(const Scene& scene, const Composition& composition) {
   if (scene.kind == SceneKind::kContact) {
-    return std::make_unique<RestEnd>(scene, composition.lattice.points.rows(), composition.step);
+    return std::make_unique<RestEnd>(scene, composition.lattice.points.rows(),
+                                     composition.resolution.step);
   }
   if (scene.kind == SceneKind::kStretch) return std::make_unique<StaticEnd>();
-  return std::make_unique<SeparationEnd>(negligible_wall_energy(scene), composition.sound_speed);
+  return std::make_unique<SeparationEnd>(negligible_wall_energy(scene),
+                                         composition.rates.sound_speed);
 }
 
 }  // namespace impact

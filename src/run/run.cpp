@@ -1,5 +1,6 @@
 #include "run/run.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -34,13 +35,15 @@ bool hops_matter(const Scene& scene, const Simulation& simulation) {
 
 Run::Run(const Scene& scene, Composition composition)
     : scene_(scene),
+      integrator_(composition.resolution.integrator),
       expected_time_(composition.expected_time),
       end_(end_of_run(scene, composition)),
       lattice_(std::move(composition.lattice)),
       wall_lattice_(std::move(composition.wall_lattice)),
       triangles_(lattice_),
       simulation_(std::move(composition.field), std::move(composition.initial),
-                  composition.spectrum, composition.step),
+                  composition.rates.lattice, composition.resolution.step,
+                  make_integrator(scene, composition.resolution, composition.rates.sound_speed)),
       monitor_(simulation_.ledger()),
       recorder_(simulation_, contact_force(scene)) {
   if (wall_lattice_) wall_triangles_.emplace(*wall_lattice_);
@@ -66,6 +69,10 @@ void Run::advance(const std::function<bool()>& stop) {
     observe_step();
     if (stop && state().step % kCheckSteps == 0 && stop()) return;
   }
+}
+
+bool Run::has_flag(const std::string& flag) const {
+  return std::find(flags_.begin(), flags_.end(), flag) != flags_.end();
 }
 
 State Run::disk_state() const {
@@ -130,7 +137,8 @@ void Run::note_folds() {
 void Run::finish() {
   finished_ = true;
   look();
-  if (monitor_.error() > scene_.numerics.error) flags_.emplace_back("energy_error");
+  const bool given = scene_.numerics.step || scene_.numerics.tolerance;
+  if (given && monitor_.error() > scene_.numerics.error) flags_.emplace_back("energy_error");
   if (folded_) flags_.emplace_back("folded");
   if (hops_matter(scene_, simulation_)) flags_.emplace_back("hops");
   if (simulation_.halvings() > 0) flags_.emplace_back("step_reduced");

@@ -47,8 +47,8 @@ class Run {
   const State& state() const { return simulation_.state(); }
   State disk_state() const;
   State wall_state() const;
-  /// The method in use: verlet or newton.
-  const char* integrator() const { return scene_.is_static() ? "newton" : "verlet"; }
+  /// The method in use.
+  IntegratorKind integrator() const { return integrator_; }
   double expected_time() const { return expected_time_; }
 
   ContactReports take_contact_reports() { return recorder_.take(simulation_); }
@@ -59,11 +59,13 @@ class Run {
   /// What a reader should know of the run: `starts_in_wall` (the wall's energy at the start exceeds
   /// what numerics.error allows), `cut_off` (the wall's energy is not negligible at wall.threshold,
   /// where it ends abruptly: see negligible_wall_energy()), `step_reduced` (the wall grew too stiff
-  /// for the step, which was halved), `energy_error` (above numerics.error), `folded` (a triangle
-  /// of a lattice turned over at one of the looks that are taken every 64 steps and at the end),
-  /// `hops` (EnergyLedger::hops_size exceeds 1 % of the impact's energy),
-  /// `not_separated` or `not_at_rest` (given up).
+  /// for the step, which was halved), `energy_error` (above numerics.error, where the
+  /// scene gives step or tolerance, so that no error control looks after the answer), `folded` (a
+  /// triangle of a lattice turned over at one of the looks that are taken every 64 steps and at the
+  /// end), `hops` (EnergyLedger::hops_size exceeds 1 % of the impact's energy), `not_separated` or
+  /// `not_at_rest` (given up).
   const std::vector<std::string>& flags() const { return flags_; }
+  bool has_flag(const std::string& flag) const;
 
   /// Largest e that energy allows: √(1 + 2U₀/(M v²)) with the wall's energy U₀ at the start.
   double restitution_bound() const { return restitution_bound_; }
@@ -76,6 +78,7 @@ class Run {
   void finish();
 
   Scene scene_;
+  IntegratorKind integrator_;
   double expected_time_;
   std::unique_ptr<EndOfRun> end_;
   Lattice lattice_;

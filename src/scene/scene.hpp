@@ -31,8 +31,18 @@ enum class Boundary {
 enum class IntegratorKind {
   kAuto,
   kVerlet,
-  kNewton  ///< no motion: a static solution
+  kBlanesMoan,           ///< order 6, for forces that do not depend on velocities
+  kImplicitDamping,      ///< order 2
+  kExtrapolatedDamping,  ///< order 6
+  kBdf,                  ///< SUNDIALS CVODE, for stiff damping
+  kRk8pd,                ///< GSL, the independent reference
+  kNewton                ///< no motion: a static solution
 };
+
+/// Whether the integrator chooses its steps by itself, from a tolerance.
+inline bool is_adaptive(IntegratorKind kind) {
+  return kind == IntegratorKind::kBdf || kind == IntegratorKind::kRk8pd;
+}
 
 /// The numbers of a whole simulation. Units: lengths in the disk's radius R, speeds in c, masses
 /// in the disk's mass M. parameters() has the meaning, unit and range of each member.
@@ -83,7 +93,8 @@ struct Scene {
 
   struct Numerics {
     IntegratorKind integrator = IntegratorKind::kAuto;
-    std::optional<double> step;  ///< empty: from the stability bound
+    std::optional<double> step;       ///< empty: by `error`
+    std::optional<double> tolerance;  ///< of adaptive integrators; empty: by `error`
     double error = 1.0e-4;
   } numerics;
 
@@ -93,7 +104,15 @@ struct Scene {
 
   /// Whether the answer is a static solution, found without motion.
   bool is_static() const {
-    return kind == SceneKind::kStretch || numerics.integrator == IntegratorKind::kNewton;
+    return kind == SceneKind::kStretch || numerics.integrator == IntegratorKind::kNewton ||
+           (kind == SceneKind::kContact && numerics.integrator == IntegratorKind::kAuto &&
+            !numerics.step);
+  }
+  /// Whether forces depend on velocities.
+  bool is_damped() const {
+    return material.eta != 0.0 ||
+           (kind == SceneKind::kCollision && wall.kind == WallKind::kLattice &&
+            wall.boundary == Boundary::kViscous);
   }
 };
 

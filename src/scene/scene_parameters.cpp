@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace impact {
@@ -178,21 +179,23 @@ Table task_keys() {
 
 Table numerics_keys() {
   return {choice<Scene, IntegratorKind>(
-              "numerics.integrator",
-              {{"auto", IntegratorKind::kAuto},
-               {"verlet", IntegratorKind::kVerlet},
-               {"newton", IntegratorKind::kNewton}},
-              "method; auto: velocity Verlet, newton in a stretch; newton: the static solution of "
-              "a contact or stretch, without motion",
+              "numerics.integrator", integrator_names(),
+              "method, see \"Integrator and step\"; auto: the fastest that gives the answer to "
+              "within the wanted error",
               [](auto& s) -> auto& { return s.numerics.integrator; }),
           only(is_moved, real_or_auto<Scene>(
                              "numerics.step", "R/c", {0.0, 10.0, false},
-                             "step; auto: from the stability bound",
+                             "step of a method of fixed step; auto: the longest that gives the "
+                             "answer to within the wanted error",
                              [](auto& s) -> auto& { return s.numerics.step; })),
+          only(is_moved, real_or_auto<Scene>(
+                             "numerics.tolerance", "-", {1e-14, 1.0},
+                             "relative tolerance of a step of bdf or rk8pd; auto: the largest that "
+                             "gives the answer to within the wanted error",
+                             [](auto& s) -> auto& { return s.numerics.tolerance; })),
           real<Scene>(
               "numerics.error", "-", {1e-10, 1e-2},
-              "wanted relative error of the answer: sets the gap, the rest "
-              "criterion and the end of a collision",
+              "wanted relative error of the answer, restitution or strain",
               [](auto& s) -> auto& { return s.numerics.error; }),
           only(is_moved, real<Scene>(
                              "output.period", "R/c", {1e-6, 1e6}, "time between published states",
@@ -208,14 +211,46 @@ Table make_table() {
   return table;
 }
 
-void check_combination(const Scene& scene) {
-  const bool newton = scene.numerics.integrator == IntegratorKind::kNewton;
+/// Which integrators a scene may have.
+void check_integrator(const Scene& scene) {
+  const IntegratorKind kind = scene.numerics.integrator;
+  const auto refuse = [&](const char* allowed) {
+    throw bad_value("numerics.integrator", name_of(kind), allowed);
+  };
+  if (kind == IntegratorKind::kAuto) return;
+  const bool newton = kind == IntegratorKind::kNewton;
   if (newton && scene.kind == SceneKind::kCollision) {
-    throw bad_value("numerics.integrator", "newton", "auto or verlet in a scene of motion");
+    refuse("a method of motion in a collision, not a static solution");
   }
-  if (scene.kind == SceneKind::kStretch && scene.numerics.integrator == IntegratorKind::kVerlet) {
-    throw bad_value("numerics.integrator", "verlet", "auto or newton in a stretch scene");
+  if (!newton && scene.kind == SceneKind::kStretch) refuse("auto or newton in a stretch scene");
+  if (kind == IntegratorKind::kBlanesMoan && scene.is_damped()) {
+    refuse(
+        "another one where forces depend on velocities (material.eta above 0 or a viscous "
+        "boundary), on which its order does not hold");
   }
+}
+
+/// Whether the integrator goes with a step or with a tolerance.
+void check_resolution(const Scene& scene) {
+  const Scene::Numerics& numerics = scene.numerics;
+  const bool adaptive = is_adaptive(numerics.integrator);
+  const bool fixed = !adaptive && !scene.is_static();
+  if (numerics.step && !fixed) {
+    throw bad_value(
+        "numerics.step", fmt::format("{}", *numerics.step),
+        fmt::format("auto with {}", adaptive ? "an integrator that chooses its steps by "
+                                               "numerics.tolerance"
+                                             : "a static solution"));
+  }
+  if (numerics.tolerance && !adaptive) {
+    throw bad_value("numerics.tolerance", fmt::format("{}", *numerics.tolerance),
+                    "auto unless numerics.integrator is bdf or rk8pd");
+  }
+}
+
+void check_combination(const Scene& scene) {
+  check_integrator(scene);
+  check_resolution(scene);
   if (scene.kind == SceneKind::kStretch && std::abs(scene.stretch.strain) < kLeastStrain) {
     throw bad_value("stretch.strain", fmt::format("{}", scene.stretch.strain),
                     fmt::format("at most -{0} or at least {0}", kLeastStrain));
@@ -223,14 +258,32 @@ void check_combination(const Scene& scene) {
   if (scene.kind == SceneKind::kContact && scene.wall.kind == WallKind::kLattice) {
     throw bad_value("wall.type", "lattice", "potential in a contact scene");
   }
-  if (scene.kind == SceneKind::kContact && !newton && scene.material.eta == 0.0) {
-    throw bad_value(
-        "material.eta", "0",
-        "above 0 in a contact scene, which comes to rest by damping (or integrator newton)");
+  if (scene.kind == SceneKind::kContact && !scene.is_static() && scene.material.eta == 0.0) {
+    throw bad_value("material.eta", "0",
+                    "above 0 where a contact comes to rest by motion (or integrator auto, newton)");
   }
 }
 
 }  // namespace
+
+const std::vector<std::pair<std::string, IntegratorKind>>& integrator_names() {
+  static const std::vector<std::pair<std::string, IntegratorKind>> names{
+      {"auto", IntegratorKind::kAuto},
+      {"verlet", IntegratorKind::kVerlet},
+      {"blanes_moan", IntegratorKind::kBlanesMoan},
+      {"implicit_damping", IntegratorKind::kImplicitDamping},
+      {"extrapolated_damping", IntegratorKind::kExtrapolatedDamping},
+      {"bdf", IntegratorKind::kBdf},
+      {"rk8pd", IntegratorKind::kRk8pd},
+      {"newton", IntegratorKind::kNewton}};
+  return names;
+}
+
+std::string name_of(IntegratorKind kind) {
+  const auto& names = integrator_names();
+  return std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.second == kind; })
+      ->first;
+}
 
 const std::vector<Parameter<Scene>>& scene_parameters() {
   static const std::vector<Parameter<Scene>> table = make_table();

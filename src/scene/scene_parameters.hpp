@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/parameter_table.hpp"
@@ -11,6 +12,10 @@ namespace impact {
 
 /// Every key of a scene file: unit, range, meaning, in which kind of scene it exists.
 const std::vector<Parameter<Scene>>& scene_parameters();
+
+/// The words for the integrators in scenes, messages and results.
+const std::vector<std::pair<std::string, IntegratorKind>>& integrator_names();
+std::string name_of(IntegratorKind kind);
 
 /// The scene that these keys describe; keys that are absent keep their defaults, `scene` itself
 /// must be there.

@@ -92,7 +92,9 @@ std::vector<Quantity> stretch_quantities() {
 std::vector<Quantity> run_quantities() {
   std::vector<Quantity> list;
   list.push_back(number("energy_error", [](const auto& e) { return e.run().energy_error(); }));
-  list.push_back({"integrator", [](const auto& e) { return YAML::Node(e.run().integrator()); }});
+  list.push_back(number("estimated_error", [](const auto& e) { return e.estimated_error(); }));
+  list.push_back(
+      {"integrator", [](const auto& e) { return YAML::Node(name_of(e.run().integrator())); }});
   list.push_back(number("step", [](const auto& e) { return e.run().simulation().step_size(); }));
   list.push_back({"steps", [](const auto& e) { return YAML::Node(e.run().state().step); }});
   list.push_back(number("wall_time", [](const auto& e) { return e.wall_time(); }));
@@ -103,31 +105,54 @@ std::vector<Quantity> run_quantities() {
 }  // namespace
 
 Experiment::Experiment(const Scene& scene, bool keep_history)
-    : scene_(scene), run_(scene), strain_meter_(run_.lattice().points) {
-  if (keep_history) history_ = kHistoryHeader;
+    : scene_(scene),
+      composition_(compose(scene)),
+      control_(scene, composition_),
+      strain_meter_(composition_.lattice.points),
+      keep_history_(keep_history) {
+  start_run();
+}
+
+void Experiment::start_run() {
+  Composition composition = composition_;
+  composition.resolution = control_.resolution();
+  run_.emplace(scene_, std::move(composition));
+  analysis_ = {};
+  if (keep_history_) history_ = kHistoryHeader;
   take_in();
 }
 
 void Experiment::advance(const std::function<bool()>& stop) {
-  run_.advance(stop);
+  try {
+    run_->advance(stop);
+  } catch (const RunFailure& failure) {
+    control_.take_failure(failure);
+    start_run();
+    return;
+  }
   take_in();
+  if (!run_->finished()) return;
+  finished_ = control_.accepts(*run_);
+  if (!finished_) start_run();
 }
 
 void Experiment::go_on_to(const Scene& next) {
   start_ = std::chrono::steady_clock::now();
   scene_ = next;
-  run_.reload(next.load.p);
+  control_ = ErrorControl(next, composition_);
+  run_->reload(next.load.p);
+  finished_ = false;
 }
 
 void Experiment::take_in() {
-  const ContactReport report = run_.take_contact_reports().on_disk;
-  analysis_.add(run_.disk_state());
+  const ContactReport report = run_->take_contact_reports().on_disk;
+  analysis_.add(run_->disk_state());
   analysis_.add(report);
-  if (!history_.empty()) history_ += history_line(run_, strain(), report.total.y());
+  if (!history_.empty()) history_ += history_line(*run_, strain(), report.total.y());
 }
 
 Restitution Experiment::restitution() const {
-  const auto& flags = run_.flags();
+  const auto& flags = run_->flags();
   const bool separated = std::find(flags.begin(), flags.end(), "not_separated") == flags.end();
   return analysis_.restitution(separated);
 }
@@ -135,7 +160,7 @@ Restitution Experiment::restitution() const {
 ElasticConstants Experiment::elastic_constants() const {
   const MiddleRegion middle{scene_.stretch.width / 4.0, scene_.stretch.height / 4.0};
   const ElasticConstants constants =
-      stretched_constants(run_.lattice(), run_.state().position, law(), middle);
+      stretched_constants(run_->lattice(), run_->state().position, law(), middle);
   if (!std::isfinite(constants.young_modulus) || !std::isfinite(constants.poisson_ratio)) {
     throw RunFailure("the middle of the rectangle has too few points for a mean strain");
   }
@@ -144,7 +169,7 @@ ElasticConstants Experiment::elastic_constants() const {
 
 double Experiment::grip_modulus() const {
   const MiddleRegion all{scene_.stretch.width / 2.0, scene_.stretch.height / 2.0};
-  const double pull = mean_stress(run_.lattice(), run_.state().position, law(), all)(0, 0);
+  const double pull = mean_stress(run_->lattice(), run_->state().position, law(), all)(0, 0);
   return pull / scene_.stretch.strain;
 }
 

@@ -2,27 +2,30 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "measure/elastic_constants.hpp"
 #include "measure/impact_analysis.hpp"
 #include "measure/strain.hpp"
+#include "run/error_control.hpp"
 #include "run/run.hpp"
 #include "scene/parameter_table.hpp"
 
 namespace impact {
 
-/// Simulates and measures one scene.
+/// Simulates and measures one scene, in as many runs as its error control asks for.
 class Experiment {
  public:
   /// @throw InputError as compose().
   explicit Experiment(const Scene& scene, bool keep_history = false);
 
-  /// Goes on as Run::advance() and takes in what the measurements need.
-  /// @throw RunFailure as Run::advance().
+  /// Goes on as Run::advance() and takes in what the measurements need; at the end of a run that is
+  /// not accurate enough, starts the next one.
+  /// @throw RunFailure as Run::advance() and ErrorControl::accepts().
   void advance(const std::function<bool()>& stop = {});
-  bool finished() const { return run_.finished(); }
+  bool finished() const { return finished_; }
 
   /// Sets out for the next scene of a chain, see is_next_load().
   void go_on_to(const Scene& next);
@@ -31,9 +34,11 @@ class Experiment {
   YAML::Node result() const;
 
   const Scene& scene() const { return scene_; }
-  const Run& run() const { return run_; }
+  /// The present run, at the end the accurate one.
+  const Run& run() const { return *run_; }
+  double estimated_error() const { return control_.estimated_error(); }
   Restitution restitution() const;
-  Strain strain() const { return strain_meter_.measure(run_.disk_state().position); }
+  Strain strain() const { return strain_meter_.measure(run_->disk_state().position); }
   /// E and ν of a stretched rectangle, in the middle of it: half its width and half its height.
   /// @throw RunFailure when too few points lie there.
   ElasticConstants elastic_constants() const;
@@ -46,15 +51,20 @@ class Experiment {
   const std::string& history() const { return history_; }
 
  private:
+  void start_run();
   void take_in();
   BondLaw law() const;
 
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Scene scene_;
-  Run run_;
+  Composition composition_;
+  ErrorControl control_;
+  std::optional<Run> run_;
   StrainMeter strain_meter_;
   ImpactAnalysis analysis_;
+  bool keep_history_;
   std::string history_;
+  bool finished_ = false;
 };
 
 /// One entry of a result.

@@ -40,9 +40,9 @@ ResultTexts texts_of(const Experiment& experiment) {
   return texts;
 }
 
-/// From the last answer or, where that has flags (folded, not at rest), from the beginning.
+/// From the last answer or, where there is none or it has flags (folded), from the beginning.
 void go_on(Experiment& experiment, const Scene& next) {
-  if (experiment.run().flags().empty()) {
+  if (experiment.finished() && experiment.run().flags().empty()) {
     experiment.go_on_to(next);
   } else {
     experiment = Experiment(next);

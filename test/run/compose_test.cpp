@@ -112,10 +112,10 @@ TEST(Compose, ClampsThreeSidesOfAFixedWall) {
 TEST(Compose, AddsTheDashpotsToTheSpectrum) {
   const Composition fixed = compose(elastic_wall_scene(Boundary::kFixed));
   const Composition viscous = compose(elastic_wall_scene(Boundary::kViscous));
-  EXPECT_EQ(fixed.spectrum.gamma, 0.0);
-  EXPECT_DOUBLE_EQ(viscous.spectrum.gamma,
+  EXPECT_EQ(fixed.rates.lattice.gamma, 0.0);
+  EXPECT_DOUBLE_EQ(viscous.rates.lattice.gamma,
                    1099 * viscous.field.viscous_boundary->largest_coefficient());
-  EXPECT_EQ(viscous.spectrum.omega_squared, fixed.spectrum.omega_squared);
+  EXPECT_EQ(viscous.rates.lattice.omega_squared, fixed.rates.lattice.omega_squared);
 }
 
 TEST(Compose, SaysThatAStretchedRectangleHasTooFewPoints) {
@@ -167,8 +167,8 @@ TEST(Compose, IsTheSameEveryTime) {
   const Composition second = compose(Scene{});
   EXPECT_TRUE((first.initial.position == second.initial.position).all());
   EXPECT_EQ(first.lattice.bonds, second.lattice.bonds);
-  EXPECT_EQ(first.spectrum.omega_squared, second.spectrum.omega_squared);
-  EXPECT_EQ(first.step, second.step);
+  EXPECT_EQ(first.rates.lattice.omega_squared, second.rates.lattice.omega_squared);
+  EXPECT_EQ(first.resolution.step, second.resolution.step);
 }
 
 TEST(Compose, TakesALatticeFromAFile) {
@@ -180,7 +180,7 @@ TEST(Compose, TakesALatticeFromAFile) {
   scene.disk.recipe.points = 5;  // replaced by the file
   const Composition again = compose(scene);
   EXPECT_TRUE((again.initial.position == original.initial.position).all());
-  EXPECT_EQ(again.step, original.step);
+  EXPECT_EQ(again.resolution.step, original.resolution.step);
   scene.disk.file = "/nowhere/lattice.data";
   EXPECT_INPUT_ERROR(compose(scene), "/nowhere/lattice.data: cannot be read");
 }

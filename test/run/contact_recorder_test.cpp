@@ -13,7 +13,7 @@ TEST(ContactRecorder, ReportsSumUpToTheWholeCourse) {
   scene.impact.velocity = 0.1;
   Composition composition = compose(scene);
   Simulation simulation(std::move(composition.field), std::move(composition.initial),
-                        composition.spectrum, composition.step);
+                        composition.rates.lattice, composition.resolution.step);
   constexpr double kContactForce = 1e-3;
   ContactRecorder recorder(simulation, kContactForce);
   const double momentum = simulation.state().velocity.col(1).mean();
@@ -53,7 +53,7 @@ TEST(ContactRecorder, ReportsTheReactionsOfAnElasticWall) {
   scene.wall.points = 60;
   Composition composition = compose(scene);
   Simulation simulation(std::move(composition.field), std::move(composition.initial),
-                        composition.spectrum, composition.step);
+                        composition.rates.lattice, composition.resolution.step);
   ContactRecorder recorder(simulation, 0.0);
   std::size_t listed = 0;
   for (int k = 1; k <= 600; ++k) {

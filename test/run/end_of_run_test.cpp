@@ -27,7 +27,7 @@ TEST_P(SeparationEndOf, CollisionWaitsUntilTheDiskHasLeft) {
   Composition composition = compose(scene);
   const auto end = end_of_run(scene, composition);
   Simulation simulation(std::move(composition.field), std::move(composition.initial),
-                        composition.spectrum, composition.step);
+                        composition.rates.lattice, composition.resolution.step);
   const double negligible = negligible_wall_energy(scene);
   double last_touch = 0.0;
   while (!end->reached(simulation)) {
@@ -38,7 +38,7 @@ TEST_P(SeparationEndOf, CollisionWaitsUntilTheDiskHasLeft) {
     ASSERT_LT(simulation.state().time, 100.0);
   }
   EXPECT_GT(last_touch, 0.0);
-  EXPECT_NEAR(simulation.state().time - last_touch, 5.0 / composition.sound_speed,
+  EXPECT_NEAR(simulation.state().time - last_touch, 5.0 / composition.rates.sound_speed,
               2.0 * simulation.step_size());
   EXPECT_GT(simulation.state().velocity.col(1).head(60).mean(), 0.0);
 }
@@ -55,7 +55,7 @@ TEST(RestEnd, IsReachedOnlyAtRest) {
   Composition composition = compose(scene);
   const auto end = end_of_run(scene, composition);
   Simulation simulation(std::move(composition.field), std::move(composition.initial),
-                        composition.spectrum, composition.step);
+                        composition.rates.lattice, composition.resolution.step);
   EXPECT_FALSE(end->reached(simulation));
   while (!end->reached(simulation)) {
     simulation.step();

@@ -22,16 +22,12 @@ Restitution finish(Run& run) {
     analysis.add(run.disk_state());
     analysis.add(run.take_contact_reports().on_disk);
   }
-  return analysis.restitution(run.flags().empty());
+  return analysis.restitution(!run.has_flag("not_separated"));
 }
 
 Restitution impact_of(const Scene& scene) {
   impact::Run run(scene);
   return finish(run);
-}
-
-bool has_flag(const Run& run, const char* flag) {
-  return std::find(run.flags().begin(), run.flags().end(), flag) != run.flags().end();
 }
 
 TEST(Collision, OfTheDefaultDiskIsNearlyElastic) {
@@ -148,10 +144,11 @@ TEST(Collision, StatesLandOnTheOutputTimes) {
 TEST(Collision, EnergyErrorAboveTheWantedErrorIsFlagged) {
   Scene scene;
   scene.impact.velocity = 0.2;
+  scene.numerics.step = 0.01;
   impact::Run run(scene);
   finish(run);
   EXPECT_GT(run.energy_error(), scene.numerics.error);
-  EXPECT_TRUE(has_flag(run, "energy_error"));
+  EXPECT_TRUE(run.has_flag("energy_error"));
 }
 
 /// A start inside the wall is allowed, may give e > 1, and is flagged with the bound that energy
@@ -160,7 +157,7 @@ TEST(Collision, StartInsideTheWallIsFlagged) {
   Scene scene;
   scene.impact.gap = 0.03;
   impact::Run run(scene);
-  ASSERT_TRUE(has_flag(run, "starts_in_wall"));
+  ASSERT_TRUE(run.has_flag("starts_in_wall"));
   finish(run);
   const double e = run.state().velocity.col(1).mean() / scene.impact.velocity;
   EXPECT_GT(e, 1.0);
@@ -174,7 +171,7 @@ TEST(Collision, ThatNeverEndsIsGivenUpWithAFlag) {
   composition.expected_time = 0.01;
   impact::Run run(scene, std::move(composition));
   EXPECT_TRUE(std::isnan(finish(run).restitution));
-  EXPECT_TRUE(has_flag(run, "not_separated"));
+  EXPECT_TRUE(run.has_flag("not_separated"));
 }
 
 Scene contact_scene(double load) {
@@ -212,7 +209,7 @@ TEST(Collision, FlagsFolds) {
     scene.impact.velocity = velocity;
     impact::Run run(scene);
     while (!run.finished()) run.advance();
-    EXPECT_EQ(has_flag(run, "folded"), velocity > 0.1);
+    EXPECT_EQ(run.has_flag("folded"), velocity > 0.1);
     EXPECT_EQ(run.state().velocity.col(1).mean() < 0.9 * velocity, velocity > 0.1);
   }
 }
@@ -267,7 +264,7 @@ TEST(Contact, ComesToRestAtSmallErrors) {
   impact::Run run(scene);
   while (!run.finished() && run.state().time < 1000.0) run.advance();
   EXPECT_TRUE(run.finished());
-  EXPECT_FALSE(has_flag(run, "not_at_rest"));
+  EXPECT_FALSE(run.has_flag("not_at_rest"));
 }
 
 Scene absorbing_wall(Boundary boundary = Boundary::kReset) {
@@ -330,9 +327,9 @@ TEST(AbsorbingWall, ResetsBecomeAClampAsTheirIntervalGoesToZero) {
 TEST(AbsorbingWall, FlagsAThresholdThatIsFelt) {
   Scene scene;
   scene.wall.kind = WallKind::kLattice;
-  EXPECT_FALSE(has_flag(impact::Run(scene), "cut_off"));
+  EXPECT_FALSE(impact::Run(scene).has_flag("cut_off"));
   scene.wall.threshold = 0.05;
-  EXPECT_TRUE(has_flag(impact::Run(scene), "cut_off"));
+  EXPECT_TRUE(impact::Run(scene).has_flag("cut_off"));
 }
 
 /// A wall so narrow that the contact reaches over its edge, where the force ends at once.
@@ -347,7 +344,7 @@ TEST(AbsorbingWall, FlagsHopsThatMatter) {
     }
     impact::Run run(scene);
     while (!run.finished()) run.advance();
-    EXPECT_EQ(has_flag(run, "hops"), narrow);
+    EXPECT_EQ(run.has_flag("hops"), narrow);
   }
 }
 
@@ -472,7 +469,7 @@ TEST(Stretch, EndsInEquilibrium) {
   scene.kind = SceneKind::kStretch;
   scene.disk.recipe.points = 300;
   impact::Run run(scene);
-  EXPECT_STREQ(run.integrator(), "newton");
+  EXPECT_EQ(run.integrator(), IntegratorKind::kNewton);
   run.advance();
   const double bond = 1e-3 * std::sqrt(M_PI / 300);
   EXPECT_LT(run.simulation().largest_static_force(), 1e-6 * bond);

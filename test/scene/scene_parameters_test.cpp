@@ -48,8 +48,9 @@ TEST(ParseScene, HasTheKeysOfItsKind) {
   EXPECT_EQ(missing_keys("{scene: collision, wall: {type: lattice}}"), of_contact + of_stretch);
   EXPECT_EQ(missing_keys("{scene: contact, material: {eta: 1}}"),
             of_elastic_wall + of_collision + of_stretch);
-  EXPECT_EQ(missing_keys("{scene: stretch}"), of_motion + of_elastic_wall + of_contact +
-                                                  of_collision + "numerics.step output.period ");
+  EXPECT_EQ(missing_keys("{scene: stretch}"),
+            of_motion + of_elastic_wall + of_contact + of_collision +
+                "numerics.step numerics.tolerance output.period ");
 }
 
 TEST(ParseScene, ReadsAnElasticWall) {
@@ -91,10 +92,12 @@ TEST(ParseScene, RefusesKeysOfAnElasticWallWithoutOne) {
 
 TEST(ParseScene, RefusesWhatDoesNotGoTogether) {
   EXPECT_INPUT_ERROR(parse("{seed: 1}"), "scene: got nothing, allowed: contact or collision");
-  EXPECT_INPUT_ERROR(parse("{scene: contact}"), "material.eta: got 0, allowed: above 0");
+  EXPECT_INPUT_ERROR(parse("{scene: contact, numerics: {integrator: verlet}}"),
+                     "material.eta: got 0, allowed: above 0");
+  EXPECT_NO_THROW(parse("{scene: contact}"));
   EXPECT_NO_THROW(parse("{scene: contact, numerics: {integrator: newton}}"));
   EXPECT_INPUT_ERROR(parse("{scene: collision, numerics: {integrator: newton}}"),
-                     "numerics.integrator: got newton, allowed: auto or verlet");
+                     "numerics.integrator: got newton, allowed: a method of motion");
   EXPECT_INPUT_ERROR(parse("{scene: stretch, numerics: {integrator: verlet}}"),
                      "numerics.integrator: got verlet, allowed: auto or newton in a stretch scene");
   EXPECT_INPUT_ERROR(parse("{scene: stretch, stretch: {strain: 0}}"),
@@ -104,6 +107,41 @@ TEST(ParseScene, RefusesWhatDoesNotGoTogether) {
   EXPECT_NO_THROW(parse("{scene: stretch, stretch: {strain: -1e-6}}"));
   EXPECT_INPUT_ERROR(parse("{scene: contact, material: {eta: 1}, wall: {type: lattice}}"),
                      "wall.type: got lattice, allowed: potential in a contact scene");
+}
+
+/// A method for forces that do not depend on velocities has no scene in which they do.
+TEST(ParseScene, RefusesBlanesMoanWithDamping) {
+  const std::string refused =
+      "numerics.integrator: got blanes_moan, allowed: another one where forces depend on "
+      "velocities";
+  const auto parse_with = [](const std::string& rest) {
+    return parse("{scene: collision, numerics: {integrator: blanes_moan}, " + rest + "}");
+  };
+  EXPECT_NO_THROW(parse_with("material: {eta: 0}"));
+  EXPECT_INPUT_ERROR(parse_with("material: {eta: 1}"), refused);
+  EXPECT_NO_THROW(parse_with("wall: {type: lattice}"));
+  EXPECT_INPUT_ERROR(parse_with("wall: {type: lattice, boundary: viscous}"), refused);
+}
+
+TEST(ParseScene, HasAStepOrAToleranceByTheIntegrator) {
+  const auto parse_with = [](const std::string& numerics) {
+    return parse("{scene: contact, material: {eta: 1}, numerics: {" + numerics + "}}");
+  };
+  EXPECT_NO_THROW(parse_with("integrator: verlet, step: 0.01"));
+  EXPECT_NO_THROW(parse_with("integrator: bdf, tolerance: 0.01"));
+  EXPECT_INPUT_ERROR(parse_with("integrator: bdf, step: 0.01"),
+                     "numerics.step: got 0.01, allowed: auto with an integrator that chooses");
+  EXPECT_INPUT_ERROR(parse_with("integrator: newton, step: 0.01"),
+                     "numerics.step: got 0.01, allowed: auto with a static solution");
+  EXPECT_INPUT_ERROR(parse_with("integrator: verlet, tolerance: 0.01"),
+                     "numerics.tolerance: got 0.01, allowed: auto unless");
+}
+
+/// Unless a step asks for motion.
+TEST(ParseScene, SolvesAContactWithoutMotionByItself) {
+  EXPECT_TRUE(parse("{scene: contact}").is_static());
+  EXPECT_FALSE(parse("{scene: contact, material: {eta: 1}, numerics: {step: 0.01}}").is_static());
+  EXPECT_FALSE(parse("{scene: collision}").is_static());
 }
 
 TEST(ParseSeries, TakesEveryCombination) {

@@ -1,0 +1,233 @@
+#include "run/resolution.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "lattice/input_error.hpp"
+#include "mechanics/blanes_moan.hpp"
+#include "mechanics/extrapolated_damping.hpp"
+#include "mechanics/implicit_damping.hpp"
+#include "mechanics/velocity_verlet.hpp"
+#include "run/rk8pd_offer.hpp"
+#include "scene/scene_parameters.hpp"
+#include "solvers/bdf.hpp"
+
+namespace impact {
+namespace {
+
+constexpr double kStabilityFactor = 0.96;
+constexpr double kLongestStep = 0.1;      // R/c
+constexpr double kReportInterval = 0.02;  // R/c, of adaptive integrators
+/// Relative error of e in steps h of velocity Verlet over (a v h)², as measured on the default disk
+/// for v = 0.01 … 0.05 c: 1.3 … 2.1 · 10⁻⁴.
+constexpr double kSecondOrderError = 2e-4;
+
+/// The coarser of the two runs that are compared has steps longer by this factor.
+constexpr double kCoarser = 1.6;
+
+/// Two points that push each other apart move against each other like one of half the mass.
+constexpr double kBothEndsMove = 2.0;
+
+/// The longest step, not above `step`, that divides the interval between resets.
+double dividing_resets(const Scene& scene, double step) {
+  if (scene.kind != SceneKind::kCollision || scene.wall.kind != WallKind::kLattice ||
+      scene.wall.boundary != Boundary::kReset) {
+    return step;
+  }
+  constexpr double kRounding = 1e-9;
+  return scene.wall.reset_interval / std::ceil(scene.wall.reset_interval / step - kRounding);
+}
+
+double longest_step(IntegratorKind integrator, const Rates& rates) {
+  const double omega_squared = rates.lattice.omega_squared + rates.wall;
+  const double limit = step_limit(integrator, omega_squared, rates.lattice.gamma);
+  return round_step_down(std::min(kStabilityFactor * limit, kLongestStep));
+}
+
+/// Time of a step, in force evaluations.
+double cost_of_step(IntegratorKind integrator) {
+  constexpr double kSolution = 1.3;  // of the damping's linear system
+  switch (integrator) {
+    case IntegratorKind::kBlanesMoan:
+      return 11.0;
+    case IntegratorKind::kExtrapolatedDamping:
+      return 8.0 + 7.0 * kSolution;
+    case IntegratorKind::kImplicitDamping:
+      return 1.0 + kSolution;
+    default:
+      return 1.0;
+  }
+}
+
+/// The step that is likely to be needed.
+double expected_step(const Scene& scene, IntegratorKind integrator, const Rates& rates) {
+  const double longest = longest_step(integrator, rates);
+  if (scene.kind != SceneKind::kCollision || order_of(integrator) > 2) return longest / kCoarser;
+  const double accurate = std::sqrt(0.5 * scene.numerics.error / kSecondOrderError) /
+                          (scene.wall.a * scene.impact.velocity);
+  return std::min(longest / kCoarser, accurate);
+}
+
+Resolution fixed_resolution(const Scene& scene, IntegratorKind integrator, const Rates& rates) {
+  return {
+      integrator,
+      dividing_resets(scene, round_step_down(kCoarser * expected_step(scene, integrator, rates))),
+      0.0};
+}
+
+Resolution automatic_resolution(const Scene& scene, const Rates& rates) {
+  std::vector<IntegratorKind> choice{IntegratorKind::kVerlet};
+  if (scene.is_damped()) {
+    choice.insert(choice.end(),
+                  {IntegratorKind::kImplicitDamping, IntegratorKind::kExtrapolatedDamping});
+  } else {
+    choice.push_back(IntegratorKind::kBlanesMoan);
+  }
+  const auto cost = [&](IntegratorKind integrator) {
+    return cost_of_step(integrator) / expected_step(scene, integrator, rates);
+  };
+  return fixed_resolution(
+      scene,
+      *std::min_element(choice.begin(), choice.end(),
+                        [&](auto first, auto second) { return cost(first) < cost(second); }),
+      rates);
+}
+
+double given_step(const Scene& scene, IntegratorKind integrator, const Spectrum& lattice) {
+  const double step = *scene.numerics.step;
+  const double limit = step_limit(integrator, lattice.omega_squared, lattice.gamma);
+  if (step <= limit) return step;
+  throw InputError(fmt::format(
+      "numerics.step: got {}, allowed: at most {:.4g} R/c, the stability limit of {} on this "
+      "lattice with this damping",
+      step, limit, name_of(integrator)));
+}
+
+/// An integrator of fixed step.
+std::unique_ptr<Integrator> make_fixed(IntegratorKind integrator) {
+  switch (integrator) {
+    case IntegratorKind::kBlanesMoan:
+      return std::make_unique<BlanesMoan>();
+    case IntegratorKind::kImplicitDamping:
+      return std::make_unique<ImplicitDamping>();
+    case IntegratorKind::kExtrapolatedDamping:
+      return std::make_unique<ExtrapolatedDamping>();
+    default:
+      return std::make_unique<VelocityVerlet>();
+  }
+}
+
+/// Typical displacement and speed of a scene, by which tolerances are measured.
+Scales scales_of(const Scene& scene, double sound_speed) {
+  if (scene.kind == SceneKind::kCollision) {
+    return {scene.impact.velocity / sound_speed, scene.impact.velocity};
+  }
+  return {scene.load.p / scene.material.k_a, scene.load.p / std::sqrt(scene.material.k_a)};
+}
+
+}  // namespace
+
+double largest_point_force(const Scene& scene, int points, double sound_speed) {
+  double total = 2.0 * scene.load.p;
+  if (scene.kind == SceneKind::kCollision) {
+    const double v = scene.impact.velocity;
+    total = v * sound_speed / std::sqrt(std::max(1.0, std::log(4.0 * sound_speed / v)));
+  }
+  const double young_modulus = sound_speed * sound_speed / M_PI;
+  const double stopping_one_point =
+      scene.kind == SceneKind::kCollision
+          ? 0.5 * scene.wall.a * scene.impact.velocity * scene.impact.velocity / points
+          : 0.0;
+  const double half_width = std::sqrt(4.0 * total / (M_PI * young_modulus));
+  const double peak_pressure = 2.0 * total / (M_PI * half_width);
+  const double share = std::min(total, 2.0 * peak_pressure * std::sqrt(M_PI / points));
+  return std::max(share, stopping_one_point);
+}
+
+Rates rates(const Scene& scene, const Spectrum& lattice, const WallContact& wall, int points,
+            double sound_speed) {
+  const double ends = scene.wall.kind == WallKind::kLattice ? kBothEndsMove : 1.0;
+  const double stiffness = wall.stiffness(largest_point_force(scene, points, sound_speed));
+  return {lattice, ends * stiffness * points, sound_speed};
+}
+
+double step_limit(IntegratorKind integrator, double omega_squared, double gamma) {
+  return make_fixed(integrator)->step_limit(omega_squared, gamma);
+}
+
+int order_of(IntegratorKind integrator) {
+  switch (integrator) {
+    case IntegratorKind::kBlanesMoan:
+      return BlanesMoan::kOrder;
+    case IntegratorKind::kExtrapolatedDamping:
+      return ExtrapolatedDamping::kOrder;
+    case IntegratorKind::kImplicitDamping:
+      return ImplicitDamping::kOrder;
+    default:
+      return VelocityVerlet::kOrder;
+  }
+}
+
+Resolution first_resolution(const Scene& scene, const Rates& rates) {
+  const IntegratorKind integrator = scene.numerics.integrator;
+  if (is_adaptive(integrator)) {
+    return {integrator, dividing_resets(scene, kReportInterval),
+            scene.numerics.tolerance.value_or(scene.numerics.error)};
+  }
+  const bool automatic = integrator == IntegratorKind::kAuto;
+  if (scene.numerics.step) {
+    const IntegratorKind used = automatic ? IntegratorKind::kVerlet : integrator;
+    return {used, dividing_resets(scene, given_step(scene, used, rates.lattice)), 0.0};
+  }
+  return automatic ? automatic_resolution(scene, rates)
+                   : fixed_resolution(scene, integrator, rates);
+}
+
+std::optional<Resolution> better_integrator(const Scene& scene, const Resolution& resolution,
+                                            double step, const Rates& rates) {
+  const IntegratorKind other =
+      scene.is_damped() ? IntegratorKind::kExtrapolatedDamping : IntegratorKind::kBlanesMoan;
+  if (scene.numerics.integrator != IntegratorKind::kAuto || order_of(resolution.integrator) > 2) {
+    return std::nullopt;
+  }
+  const Resolution first = fixed_resolution(scene, other, rates);
+  const double cost_of_both = (1.0 + kCoarser) * cost_of_step(other) / first.step;
+  if (cost_of_step(resolution.integrator) / step < cost_of_both) return std::nullopt;
+  return first;
+}
+
+Resolution finer(const Scene& scene, const Resolution& resolution, double factor) {
+  Resolution next = resolution;
+  if (is_adaptive(resolution.integrator)) {
+    next.tolerance /= std::pow(factor, 4);
+  } else {
+    next.step = dividing_resets(scene, round_step_down(resolution.step / factor));
+  }
+  return next;
+}
+
+double round_step_down(double value) {
+  constexpr double kUnit = 0.04;  // R/c
+  constexpr double kRounding = 1e-9;
+  const double units = value / kUnit;
+  return units >= 1.0 - kRounding ? 0.5 * kUnit * std::floor(2.0 * units + kRounding)
+                                  : kUnit / std::ceil(1.0 / units - kRounding);
+}
+
+std::unique_ptr<Integrator> make_integrator(const Scene& scene, const Resolution& resolution,
+                                            double sound_speed) {
+  const Scales scales = scales_of(scene, sound_speed);
+  switch (resolution.integrator) {
+    case IntegratorKind::kBdf:
+      return std::make_unique<Bdf>(resolution.tolerance, scales);
+    case IntegratorKind::kRk8pd:
+      return offered_rk8pd(resolution.tolerance, scales);
+    default:
+      return make_fixed(resolution.integrator);
+  }
+}
+
+}  // namespace impact

@@ -1,0 +1,158 @@
+#include "run/resolution.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "expect_input_error.hpp"
+#include "mechanics/potential_wall.hpp"
+
+namespace impact {
+namespace {
+
+constexpr int kPoints = 1099;
+constexpr double kSoundSpeed = 1.9;
+const PotentialWall kWall(300.0, 0.27);
+
+Resolution first(const Scene& scene, const Spectrum& spectrum) {
+  return first_resolution(scene, rates(scene, spectrum, kWall, kPoints, kSoundSpeed));
+}
+
+double step(const Scene& scene, const Spectrum& spectrum) { return first(scene, spectrum).step; }
+
+Scene scene_with(IntegratorKind integrator, double velocity, double eta) {
+  Scene scene;
+  scene.numerics.integrator = integrator;
+  scene.impact.velocity = velocity;
+  scene.material.eta = eta;
+  return scene;
+}
+
+TEST(RoundStepDown, FindsMultiplesAndWholeParts) {
+  EXPECT_DOUBLE_EQ(round_step_down(0.0099), 0.008);
+  EXPECT_DOUBLE_EQ(round_step_down(0.01), 0.01);
+  EXPECT_DOUBLE_EQ(round_step_down(0.02 * (1.0 - 1e-12)), 0.02);
+  EXPECT_DOUBLE_EQ(round_step_down(0.07), 0.06);
+  EXPECT_DOUBLE_EQ(round_step_down(0.019), 0.04 / 3.0);
+  EXPECT_DOUBLE_EQ(round_step_down(0.039), 0.02);
+  EXPECT_DOUBLE_EQ(round_step_down(1e-6), 1e-6);
+}
+
+/// Stable with the wall at its stiffest; and not needlessly short: where accuracy asks for nothing,
+/// at least half of 0.96 of the limit, since whole parts differ by 2 at most.
+TEST(FirstResolution, StaysBelowTheLimitOfLatticeDampingAndWall) {
+  for (const auto integrator :
+       {IntegratorKind::kVerlet, IntegratorKind::kBlanesMoan, IntegratorKind::kImplicitDamping,
+        IntegratorKind::kExtrapolatedDamping}) {
+    for (const Spectrum spectrum : {Spectrum{1e4, 0.0}, Spectrum{1e4, 50.0}, Spectrum{1e4, 1e4}}) {
+      for (const double velocity : {1e-4, 0.01, 0.5}) {
+        Scene scene = scene_with(integrator, velocity, 0.0);
+        scene.numerics.error = 1e-2;
+        const double wall = kWall.stiffness(largest_point_force(scene, kPoints, kSoundSpeed));
+        const double limit =
+            step_limit(integrator, spectrum.omega_squared + wall * kPoints, spectrum.gamma);
+        EXPECT_LE(step(scene, spectrum), 0.96 * limit);
+        if (velocity < 0.1) EXPECT_GE(step(scene, spectrum), std::min(0.1, 0.96 * limit) / 2.0);
+      }
+    }
+  }
+}
+
+/// Small lattices are slow; their step is capped.
+TEST(FirstResolution, IsNeverLong) {
+  EXPECT_DOUBLE_EQ(step(scene_with(IntegratorKind::kBlanesMoan, 1e-4, 0.0), {1.0, 0.0}), 0.1);
+}
+
+TEST(FirstResolution, TakesAGivenStepUpToTheLimit) {
+  Scene scene;
+  const Spectrum spectrum{1e4, 0.0};
+  scene.numerics.step = 0.01;
+  EXPECT_EQ(step(scene, spectrum), 0.01);
+  scene.numerics.step = 0.021;
+  EXPECT_INPUT_ERROR(step(scene, spectrum),
+                     "numerics.step: got 0.021, allowed: at most 0.02 R/c, the stability limit of "
+                     "verlet");
+  scene.numerics.integrator = IntegratorKind::kBlanesMoan;
+  EXPECT_EQ(step(scene, spectrum), 0.021);
+}
+
+TEST(FirstResolution, AutoGoesToHigherOrderForSmallErrors) {
+  const Spectrum undamped{8100.0, 0.0};
+  Scene scene = scene_with(IntegratorKind::kAuto, 0.05, 0.0);
+  EXPECT_EQ(first(scene, undamped).integrator, IntegratorKind::kVerlet);
+  scene.numerics.error = 1e-9;
+  EXPECT_EQ(first(scene, undamped).integrator, IntegratorKind::kBlanesMoan);
+  const Spectrum damped{8100.0, 12.4};
+  scene.material.eta = 1.0;
+  EXPECT_EQ(first(scene, damped).integrator, IntegratorKind::kExtrapolatedDamping);
+}
+
+/// Explicit steps where damping leaves them long, implicit ones where it makes them short.
+TEST(FirstResolution, AutoGoesToImplicitDampingWhereItIsStiff) {
+  const auto integrator = [](double eta) {
+    const Scene scene = scene_with(IntegratorKind::kAuto, 0.01, eta);
+    return first(scene, {8100.0, 12.4 * eta}).integrator;
+  };
+  EXPECT_EQ(integrator(1.0), IntegratorKind::kVerlet);
+  EXPECT_EQ(integrator(100.0), IntegratorKind::kImplicitDamping);
+  EXPECT_EQ(integrator(1e6), IntegratorKind::kImplicitDamping);
+}
+
+TEST(FirstResolution, OfAnAdaptiveIntegratorHasItsTolerance) {
+  Scene scene = scene_with(IntegratorKind::kBdf, 0.01, 1.0);
+  scene.numerics.error = 1e-5;
+  EXPECT_EQ(first(scene, {8100.0, 12.4}).tolerance, 1e-5);
+  scene.numerics.tolerance = 1e-3;
+  EXPECT_EQ(first(scene, {8100.0, 12.4}).tolerance, 1e-3);
+}
+
+/// The longest that divides the interval and is not above the wanted step.
+TEST(FirstResolution, DividesTheIntervalBetweenResets) {
+  const Spectrum spectrum{1e4, 0.0};
+  Scene scene;
+  scene.wall.kind = WallKind::kLattice;
+  scene.wall.boundary = Boundary::kFixed;
+  const double automatic = step(scene, spectrum);
+  scene.wall.boundary = Boundary::kReset;
+  const auto step_for = [&](double interval) {
+    scene.wall.reset_interval = interval;
+    return step(scene, spectrum);
+  };
+  EXPECT_DOUBLE_EQ(step_for(automatic), automatic);
+  EXPECT_DOUBLE_EQ(step_for(3.0 * automatic), automatic);
+  EXPECT_DOUBLE_EQ(step_for(1.01 * automatic), 0.505 * automatic);
+  EXPECT_DOUBLE_EQ(step_for(0.3 * automatic), 0.3 * automatic);
+  EXPECT_DOUBLE_EQ(step_for(1000.0), automatic);
+  scene.numerics.step = 0.003;
+  EXPECT_DOUBLE_EQ(step_for(0.004), 0.002);
+  EXPECT_DOUBLE_EQ(step_for(0.001), 0.001);
+  EXPECT_DOUBLE_EQ(step_for(0.009), 0.003);
+}
+
+/// Two points that push each other have half the mass of one.
+TEST(Rates, CountBothEndsOfAContact) {
+  Scene scene;
+  const double one_end = rates(scene, {1.0, 0.0}, kWall, kPoints, kSoundSpeed).wall;
+  const double stiffness = kWall.stiffness(largest_point_force(scene, kPoints, kSoundSpeed));
+  EXPECT_DOUBLE_EQ(one_end, stiffness * kPoints);
+  scene.wall.kind = WallKind::kLattice;
+  EXPECT_DOUBLE_EQ(rates(scene, {1.0, 0.0}, kWall, kPoints, kSoundSpeed).wall, 2.0 * one_end);
+}
+
+TEST(Finer, ShortensTheStepByTheFactorAtLeast) {
+  const Resolution coarse{IntegratorKind::kVerlet, 0.02, 0.0};
+  EXPECT_DOUBLE_EQ(finer(Scene{}, coarse, 1.5).step, 0.04 / 3.0);
+  EXPECT_DOUBLE_EQ(finer(Scene{}, coarse, 2.5).step, 0.008);
+  Scene scene;
+  scene.wall.kind = WallKind::kLattice;  // resets every 0.004 R/c
+  EXPECT_EQ(finer(scene, {IntegratorKind::kVerlet, 0.004, 0.0}, 1.5).step, 0.002);
+}
+
+TEST(Finer, TightensATolerance) {
+  const Resolution coarse{IntegratorKind::kBdf, 0.02, 1e-4};
+  EXPECT_DOUBLE_EQ(finer(Scene{}, coarse, 10.0).tolerance, 1e-8);
+  EXPECT_EQ(finer(Scene{}, coarse, 10.0).step, 0.02);
+}
+
+}  // namespace
+}  // namespace impact
