@@ -152,7 +152,8 @@ Composition compose_on_wall(const Scene& scene) {
   if (scene.wall.kind == WallKind::kLattice) bodies.wall = elastic_wall_body(scene, points);
 
   const Lattice all = bodies.all();
-  const BondLaw law{scene.material.k_a, scene.material.k_b, scene.material.eta * mass};
+  const double eta = scene.is_static() ? 0.0 : scene.material.eta * mass;
+  const BondLaw law{scene.material.k_a, scene.material.k_b, eta};
   const double part = scene.wall.kind == WallKind::kLattice ? 0.5 : 1.0;
   const PotentialWall wall(scene.wall.a, scene.wall.v0.value_or(part * scene.wall.a * mass));
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "expect_input_error.hpp"
 #include "lattice/lammps_data.hpp"
@@ -19,18 +20,42 @@ Scene contact_scene() {
   return scene;
 }
 
-TEST(Compose, BuildsOnlyTheTermsOfTheScene) {
-  Scene scene;
-  EXPECT_EQ(compose(scene).field.terms(), (Names{"bonds (cubic)", "potential wall"}));
-  scene.material.k_b = 0.0;
-  EXPECT_EQ(compose(scene).field.terms(), (Names{"bonds", "potential wall"}));
-  EXPECT_EQ(
-      compose(contact_scene()).field.terms(),
-      (Names{"bonds (cubic, damped)", "potential wall", "compression load", "rotation hold"}));
-  Scene rolling = contact_scene();
-  rolling.load.hold_rotation = false;
-  EXPECT_EQ(compose(rolling).field.terms(),
-            (Names{"bonds (cubic, damped)", "potential wall", "compression load"}));
+Names terms(const Scene& scene) { return compose(scene).field.terms(); }
+
+TEST(Compose, BuildsOnlyTheTermsOfACollision) {
+  const std::tuple<double, double, const char*> laws[] = {{0.0, 0.0, "bonds"},
+                                                          {1e-3, 0.0, "bonds (cubic)"},
+                                                          {0.0, 1.0, "bonds (damped)"},
+                                                          {1e-3, 1.0, "bonds (cubic, damped)"}};
+  for (const auto& [k_b, eta, bonds] : laws) {
+    Scene scene;
+    scene.material.k_b = k_b;
+    scene.material.eta = eta;
+    const Composition composition = compose(scene);
+    EXPECT_EQ(composition.field.terms(), (Names{bonds, "potential wall"}));
+    EXPECT_FALSE(composition.wall_lattice.has_value());
+    EXPECT_EQ(composition.field.wall_points, 0);
+    EXPECT_EQ(composition.initial.position.rows(), 1099);
+  }
+}
+
+TEST(Compose, BuildsOnlyTheTermsOfAContact) {
+  Names names{"bonds (cubic, damped)", "potential wall", "compression load", "rotation hold"};
+  Scene scene = contact_scene();
+  EXPECT_EQ(terms(scene), names);
+  scene.load.hold_rotation = false;
+  names.pop_back();
+  EXPECT_EQ(terms(scene), names);
+}
+
+/// Nothing moves, so nothing is damped.
+TEST(Compose, BuildsNoDampingForAStaticContact) {
+  Scene scene = contact_scene();
+  scene.numerics.integrator = IntegratorKind::kNewton;
+  const Composition composition = compose(scene);
+  EXPECT_EQ(composition.field.terms(),
+            (Names{"bonds (cubic)", "potential wall", "compression load", "rotation hold"}));
+  EXPECT_FALSE(composition.field.damped());
 }
 
 Scene elastic_wall_scene(Boundary boundary) {
@@ -41,20 +66,25 @@ Scene elastic_wall_scene(Boundary boundary) {
 }
 
 TEST(Compose, BuildsTheBoundaryOfTheElasticWall) {
-  const auto terms = [](Boundary boundary) {
-    return compose(elastic_wall_scene(boundary)).field.terms();
-  };
-  EXPECT_EQ(terms(Boundary::kReset), (Names{"bonds (cubic)", "elastic wall", "velocity reset"}));
-  EXPECT_EQ(terms(Boundary::kFixed), (Names{"bonds (cubic)", "elastic wall", "supports"}));
-  EXPECT_EQ(terms(Boundary::kViscous),
+  EXPECT_EQ(terms(elastic_wall_scene(Boundary::kReset)),
+            (Names{"bonds (cubic)", "elastic wall", "velocity reset"}));
+  EXPECT_EQ(terms(elastic_wall_scene(Boundary::kFixed)),
+            (Names{"bonds (cubic)", "elastic wall", "supports"}));
+  EXPECT_EQ(terms(elastic_wall_scene(Boundary::kViscous)),
             (Names{"bonds (cubic)", "elastic wall", "viscous boundary"}));
+  Scene damped = elastic_wall_scene(Boundary::kFixed);
+  damped.material.k_b = 0.0;
+  damped.material.eta = 1.0;
+  EXPECT_EQ(terms(damped), (Names{"bonds (damped)", "elastic wall", "supports"}));
 }
 
 TEST(Compose, BuildsOnlyBondsAndGripsForAStretch) {
   Scene scene;
   scene.kind = SceneKind::kStretch;
+  scene.material.eta = 1.0;  // nothing moves, so nothing is damped
   const Composition composition = compose(scene);
   EXPECT_EQ(composition.field.terms(), (Names{"bonds (cubic)", "supports"}));
+  EXPECT_EQ(composition.field.contact(), nullptr);
   EXPECT_FALSE(composition.wall_lattice.has_value());
   // 4 R × 2 R at the density of 1099 points in a disk.
   EXPECT_EQ(composition.lattice.points.rows(), 2799);
