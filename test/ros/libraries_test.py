@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The nodes carry the libraries that their work needs, and not those of the other one."""
+"""Each program carries the libraries that its work needs, and not those of the others."""
 
 import re
 import subprocess
@@ -15,17 +15,35 @@ def libraries(name):
     return set(re.findall(r'lib([\w+-]+)\.so', listing))
 
 
+ROS = {'roscpp', 'rosbag', 'rosbag_storage', 'rosconsole', 'rostime', 'xmlrpcpp',
+       'roscpp_serialization', 'diagnostic_updater'}
+GEOMETRY = {'CGAL', 'gmp', 'gmpxx', 'mpfr'}
+FITS = {'gsl', 'gslcblas'}
+BAGS = {'rosbag', 'rosbag_storage'}
+
+
 class LibrariesTest(unittest.TestCase):
+    def assert_libraries(self, name, needed, not_needed):
+        found = libraries(name)
+        self.assertLessEqual(needed, found)
+        self.assertEqual(found & not_needed, set())
+
     def test_analysis_carries_neither_geometry_nor_bags(self):
-        found = libraries('analysis_node')
-        self.assertLessEqual({'roscpp', 'gsl'}, found)
-        self.assertEqual(found & {'gmp', 'gmpxx', 'mpfr', 'CGAL', 'rosbag', 'rosbag_storage'},
-                         set())
+        self.assert_libraries('analysis_node', {'roscpp', 'gsl'}, GEOMETRY | BAGS)
 
     def test_simulation_carries_no_fits(self):
-        found = libraries('simulation_node')
-        self.assertIn('rosbag_storage', found)
-        self.assertEqual(found & {'gsl', 'gslcblas'}, set())
+        self.assert_libraries('simulation_node', {'roscpp', 'rosbag_storage', 'gmp'}, FITS)
+
+    def test_bags_are_analysed_without_geometry(self):
+        self.assert_libraries('analyse_bag', {'rosbag_storage', 'gsl'}, GEOMETRY)
+
+    def test_single_runs_and_sweeps_carry_neither_ros_nor_fits(self):
+        for name in ('impact', 'sweep'):
+            with self.subTest(name):
+                self.assert_libraries(name, {'gmp', 'yaml-cpp'}, ROS | FITS)
+
+    def test_reproduction_carries_no_ros(self):
+        self.assert_libraries('reproduce', {'gmp', 'yaml-cpp', 'gsl'}, ROS)
 
 
 if __name__ == '__main__':
