@@ -13,7 +13,7 @@
 namespace impact {
 namespace {
 
-constexpr double kLeastRefinement = 1.5;
+constexpr double kLeastRefinement = 1.3;
 constexpr double kMostRefinement = 10.0;  // at once
 constexpr double kMargin = 2.0;
 constexpr double kTail = 0.01;  // of numerics.error

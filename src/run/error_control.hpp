@@ -15,9 +15,9 @@ namespace impact {
 /// resolved, until the estimated error is small enough.
 ///
 /// Collision: step doubling in the wider sense. The answer is the velocity v′ of the centre of mass
-/// after the impact; two runs with steps h and r h, r ≥ 1.5, and a method of order p give the
+/// after the impact; two runs with steps h and r h, r ≥ 1.3, and a method of order p give the
 /// estimate 2 |v′(h) − v′(rh)|/((r^p − 1) |v′(h)|), with a margin of 2. For an adaptive integrator
-/// the two tolerances differ by 1.5⁴ at least and the difference itself is the estimate. ε/100 is
+/// the two tolerances differ by 1.3⁴ at least and the difference itself is the estimate. ε/100 is
 /// added for the wall's tail, in which the motion begins and ends. Where two runs of a method of
 /// order 2 show that it needs more steps than expected, `auto` may go over to one of order 6.
 ///

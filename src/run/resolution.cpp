@@ -25,7 +25,8 @@ constexpr double kReportInterval = 0.02;  // R/c, of adaptive integrators
 /// for v = 0.01 … 0.05 c: 1.3 … 2.1 · 10⁻⁴.
 constexpr double kSecondOrderError = 2e-4;
 
-/// The coarser of the two runs that are compared has steps longer by this factor.
+/// The coarser of the two runs that are compared has steps longer by a factor in this range.
+constexpr double kLeastCoarser = 1.3;
 constexpr double kCoarser = 1.6;
 
 /// Two points that push each other apart move against each other like one of half the mass.
@@ -44,7 +45,7 @@ double dividing_resets(const Scene& scene, double step) {
 double longest_step(IntegratorKind integrator, const Rates& rates) {
   const double omega_squared = rates.lattice.omega_squared + rates.wall;
   const double limit = step_limit(integrator, omega_squared, rates.lattice.gamma);
-  return round_step_down(std::min(kStabilityFactor * limit, kLongestStep));
+  return std::min(kStabilityFactor * limit, kLongestStep);
 }
 
 /// Time of a step, in force evaluations.
@@ -65,17 +66,21 @@ double cost_of_step(IntegratorKind integrator) {
 /// The step that is likely to be needed.
 double expected_step(const Scene& scene, IntegratorKind integrator, const Rates& rates) {
   const double longest = longest_step(integrator, rates);
-  if (scene.kind != SceneKind::kCollision || order_of(integrator) > 2) return longest / kCoarser;
-  const double accurate = std::sqrt(0.5 * scene.numerics.error / kSecondOrderError) /
-                          (scene.wall.a * scene.impact.velocity);
-  return std::min(longest / kCoarser, accurate);
+  if (scene.kind != SceneKind::kCollision) return round_step_down(longest);
+  double step = longest / kLeastCoarser;
+  if (order_of(integrator) == 2) {
+    step = std::min(step, std::sqrt(0.5 * scene.numerics.error / kSecondOrderError) /
+                              (scene.wall.a * scene.impact.velocity));
+  }
+  return round_step_down(step);
 }
 
 Resolution fixed_resolution(const Scene& scene, IntegratorKind integrator, const Rates& rates) {
-  return {
-      integrator,
-      dividing_resets(scene, round_step_down(kCoarser * expected_step(scene, integrator, rates))),
-      0.0};
+  const double expected = expected_step(scene, integrator, rates);
+  const double first = scene.kind == SceneKind::kCollision
+                           ? std::min(kCoarser * expected, longest_step(integrator, rates))
+                           : expected;
+  return {integrator, dividing_resets(scene, first), 0.0};
 }
 
 Resolution automatic_resolution(const Scene& scene, const Rates& rates) {
@@ -210,10 +215,10 @@ Resolution finer(const Scene& scene, const Resolution& resolution, double factor
 }
 
 double round_step_down(double value) {
-  constexpr double kUnit = 0.04;  // R/c
+  constexpr double kUnit = 0.02;  // R/c
   constexpr double kRounding = 1e-9;
   const double units = value / kUnit;
-  return units >= 1.0 - kRounding ? 0.5 * kUnit * std::floor(2.0 * units + kRounding)
+  return units >= 1.0 - kRounding ? kUnit * std::floor(units + kRounding)
                                   : kUnit / std::ceil(1.0 / units - kRounding);
 }
 

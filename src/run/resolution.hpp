@@ -49,12 +49,12 @@ int order_of(IntegratorKind integrator);
 /// velocity Verlet and Blanes–Moan; with damping velocity Verlet, implicit and extrapolated
 /// damping) the one of least cost, force evaluations and linear solutions counted, at the step that
 /// is likely to give the wanted error. That is for methods of order 2, by the error 2·10⁻⁴ (a v h)²
-/// of e that was measured on impacts on the potential wall, √(ε/(4·10⁻⁴))/(a v), and for all 1/1.6
-/// of the longest.
+/// of e that was measured on impacts on the potential wall, √(ε/(4·10⁻⁴))/(a v), and for all at
+/// most 1/1.3 of the longest, which is 0.96 of the stability limit, the wall at its expected
+/// stiffest counted, and 0.1 R/c at most. It is a multiple or a whole part of 0.02 R/c, so that the
+/// usual output periods are multiples of it.
 ///
-/// `step: auto`: begins 1.6 times longer than that. The longest step is 0.96 of the stability
-/// limit, the wall at its expected stiffest counted, and 0.1 R/c at most. Steps are preferred
-/// numbers R10 (ISO 3), so that they are short to write.
+/// `step: auto` begins with a step up to 1.6 times longer, to compare with.
 ///
 /// Where velocities are reset at intervals, the step, given or not, is shortened to divide them.
 /// @throw InputError when a given step exceeds the stability limit of the lattice and its damping.
@@ -69,7 +69,7 @@ std::optional<Resolution> better_integrator(const Scene& scene, const Resolution
 /// its tolerance smaller by `factor` to the power of 4.
 Resolution finer(const Scene& scene, const Resolution& resolution, double factor);
 
-/// The longest step not above `value` (R/c) that is a multiple of 0.02 R/c or a whole part of 0.04.
+/// The longest step not above `value` (R/c) that is a multiple or a whole part of 0.02 R/c.
 double round_step_down(double value);
 
 /// Makes the integrator of a resolution.

@@ -29,12 +29,10 @@ Scene scene_with(IntegratorKind integrator, double velocity, double eta) {
 }
 
 TEST(RoundStepDown, FindsMultiplesAndWholeParts) {
-  EXPECT_DOUBLE_EQ(round_step_down(0.0099), 0.008);
-  EXPECT_DOUBLE_EQ(round_step_down(0.01), 0.01);
+  EXPECT_DOUBLE_EQ(round_step_down(0.0099), 0.02 / 3.0);
   EXPECT_DOUBLE_EQ(round_step_down(0.02 * (1.0 - 1e-12)), 0.02);
   EXPECT_DOUBLE_EQ(round_step_down(0.07), 0.06);
-  EXPECT_DOUBLE_EQ(round_step_down(0.019), 0.04 / 3.0);
-  EXPECT_DOUBLE_EQ(round_step_down(0.039), 0.02);
+  EXPECT_DOUBLE_EQ(round_step_down(0.019), 0.01);
   EXPECT_DOUBLE_EQ(round_step_down(1e-6), 1e-6);
 }
 
@@ -141,8 +139,8 @@ TEST(Rates, CountBothEndsOfAContact) {
 
 TEST(Finer, ShortensTheStepByTheFactorAtLeast) {
   const Resolution coarse{IntegratorKind::kVerlet, 0.02, 0.0};
-  EXPECT_DOUBLE_EQ(finer(Scene{}, coarse, 1.5).step, 0.04 / 3.0);
-  EXPECT_DOUBLE_EQ(finer(Scene{}, coarse, 2.5).step, 0.008);
+  EXPECT_DOUBLE_EQ(finer(Scene{}, coarse, 1.5).step, 0.01);
+  EXPECT_DOUBLE_EQ(finer(Scene{}, coarse, 2.5).step, 0.02 / 3.0);
   Scene scene;
   scene.wall.kind = WallKind::kLattice;  // resets every 0.004 R/c
   EXPECT_EQ(finer(scene, {IntegratorKind::kVerlet, 0.004, 0.0}, 1.5).step, 0.002);
