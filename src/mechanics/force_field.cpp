@@ -14,6 +14,22 @@ void constrain(ForceField& field, PointArray& force) {
   if (field.supports) field.supports->apply(force);
 }
 
+/// Sets to zero what couples a supported coordinate to others.
+void uncouple(const Supports& supports, std::size_t points,
+              std::vector<Eigen::Triplet<double>>& entries) {
+  std::vector<bool> held(2 * points, false);
+  for (const int axis : {0, 1}) {
+    for (const std::int32_t point : supports.held(axis)) {
+      held[static_cast<std::size_t>(axis) * points + static_cast<std::size_t>(point)] = true;
+    }
+  }
+  const auto is_held = [&](int place) { return held[static_cast<std::size_t>(place)]; };
+  for (auto& entry : entries) {
+    if (entry.row() == entry.col()) continue;
+    if (is_held(entry.row()) || is_held(entry.col())) entry = {entry.row(), entry.col(), 0.0};
+  }
+}
+
 }  // namespace
 
 Losses ForceField::evaluate(const PointArray& position, const PointArray& velocity,
@@ -53,6 +69,18 @@ Eigen::SparseMatrix<double> ForceField::damping(int axis) const {
     return !held[static_cast<std::size_t>(row)] && !held[static_cast<std::size_t>(column)];
   });
   return matrix;
+}
+
+std::vector<Eigen::Triplet<double>> ForceField::stiffness(const PointArray& position) const {
+  const auto points = static_cast<std::int32_t>(position.rows());
+  std::vector<Eigen::Triplet<double>> entries = bonds.stiffness(position);
+  if (supports) uncouple(*supports, static_cast<std::size_t>(points), entries);
+  if (!wall) return entries;
+  for (std::int32_t i = 0; i < points; ++i) {
+    const double along_y = wall->stiffness(wall->force_at(position(i, 1)));
+    entries.emplace_back(points + i, points + i, along_y);
+  }
+  return entries;
 }
 
 double ForceField::potential_energy(const PointArray& position) const {

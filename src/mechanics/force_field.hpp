@@ -50,6 +50,11 @@ struct ForceField {
   /// bonds and of a viscous boundary. Rows and columns of supported coordinates are empty.
   Eigen::SparseMatrix<double> damping(int axis) const;
 
+  /// The entries of the tangent stiffness matrix −∂F/∂r (M c²/R²) of the bonds and of a potential
+  /// wall, those of one place to be added up; row and column i stand for x of point i, N + i for
+  /// its y. A supported coordinate has a diagonal element only.
+  std::vector<Eigen::Triplet<double>> stiffness(const PointArray& position) const;
+
   /// Of bonds, wall and load, in M c².
   double potential_energy(const PointArray& position) const;
   double wall_potential_energy(const PointArray& position) const;

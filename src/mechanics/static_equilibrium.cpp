@@ -57,42 +57,19 @@ class Search {
     return !supported && (axis == 0 || !field_.wall);
   }
 
-  /// The tangent stiffness, without the supported coordinates, and with one point tied to its place
-  /// along an axis that shifts freely. Since nothing acts along it from outside, the tie carries no
-  /// force, and only picks one of the equivalent shifts.
+  /// The tangent stiffness, the supported coordinates uncoupled, and with one point tied to its
+  /// place along an axis that shifts freely. Since nothing acts along it from outside, the tie
+  /// carries no force, and only picks one of the equivalent shifts.
   Eigen::SparseMatrix<double> stiffness() const {
     const auto points = static_cast<std::int32_t>(position_.rows());
     const Eigen::Index coordinates = 2 * position_.rows();
-    std::vector<Eigen::Triplet<double>> entries = field_.bonds.stiffness(position_);
-    if (field_.supports) leave_out_supported(entries);
-    if (field_.wall) {
-      for (std::int32_t i = 0; i < points; ++i) {
-        entries.emplace_back(points + i, points + i,
-                             field_.wall->stiffness(field_.wall->force_at(position_(i, 1))));
-      }
-    }
+    std::vector<Eigen::Triplet<double>> entries = field_.stiffness(position_);
     for (const int axis : {0, 1}) {
       if (shifts_freely(axis)) entries.emplace_back(axis * points, axis * points, 1.0);
     }
     Eigen::SparseMatrix<double> matrix(coordinates, coordinates);
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;
-  }
-
-  void leave_out_supported(std::vector<Eigen::Triplet<double>>& entries) const {
-    const auto points = static_cast<std::size_t>(position_.rows());
-    std::vector<bool> held(2 * points, false);
-    for (const int axis : {0, 1}) {
-      for (const std::int32_t point : field_.supports->held(axis)) {
-        held[static_cast<std::size_t>(axis) * points + static_cast<std::size_t>(point)] = true;
-      }
-    }
-    const auto is_held = [&](int place) { return held[static_cast<std::size_t>(place)]; };
-    for (auto& entry : entries) {
-      const bool on_diagonal = entry.row() == entry.col();
-      if (!is_held(entry.row()) && !is_held(entry.col())) continue;
-      entry = {entry.row(), entry.col(), on_diagonal ? entry.value() : 0.0};
-    }
   }
 
   /// The displacements u with K u = f that keep the constraint; shifted until they lead downhill.

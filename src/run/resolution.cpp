@@ -126,7 +126,7 @@ std::unique_ptr<Integrator> make_fixed(IntegratorKind integrator) {
 }
 
 /// Typical displacement and speed of a scene, by which tolerances are measured.
-Scales scales_of(const Scene& scene, double sound_speed) {
+MotionScales scales_of(const Scene& scene, double sound_speed) {
   if (scene.kind == SceneKind::kCollision) {
     return {scene.impact.velocity / sound_speed, scene.impact.velocity};
   }
@@ -224,7 +224,7 @@ double round_step_down(double value) {
 
 std::unique_ptr<Integrator> make_integrator(const Scene& scene, const Resolution& resolution,
                                             double sound_speed) {
-  const Scales scales = scales_of(scene, sound_speed);
+  const MotionScales scales = scales_of(scene, sound_speed);
   switch (resolution.integrator) {
     case IntegratorKind::kBdf:
       return std::make_unique<Bdf>(resolution.tolerance, scales);

@@ -3,18 +3,18 @@
 #include <functional>
 #include <memory>
 
+#include "mechanics/first_order_form.hpp"
 #include "mechanics/integrator.hpp"
-#include "solvers/bdf.hpp"
 
 namespace impact {
 
-using MakeRk8pd = std::function<std::unique_ptr<Integrator>(double tolerance, const Scales&)>;
+using MakeRk8pd = std::function<std::unique_ptr<Integrator>(double tolerance, const MotionScales&)>;
 
 /// Makes the integrator rk8pd known to the scenes of a program. It is a reference for others and
 /// brings GSL along, which the simulation node does not carry.
 void offer_rk8pd(MakeRk8pd make);
 
 /// @throw InputError when the program has not offered it.
-std::unique_ptr<Integrator> offered_rk8pd(double tolerance, const Scales& scales);
+std::unique_ptr<Integrator> offered_rk8pd(double tolerance, const MotionScales& scales);
 
 }  // namespace impact

@@ -12,6 +12,7 @@
 #include "scene/scene_parameters.hpp"
 #include "tools/experiment.hpp"
 #include "tools/program.hpp"
+#include "tools/reference_integrator.hpp"
 
 namespace impact {
 namespace {
@@ -70,6 +71,7 @@ void perform(const std::string& scene_file, const std::vector<std::string>& assi
 }  // namespace impact
 
 int main(int argc, char** argv) {
+  impact::offer_reference_integrator();
   CLI::App app("Simulates one scene and prints what came out as YAML.", "impact");
   std::string scene_file;
   std::vector<std::string> assignments;

@@ -9,6 +9,7 @@
 #include "tools/interruption.hpp"
 #include "tools/program.hpp"
 #include "tools/progress_bar.hpp"
+#include "tools/reference_integrator.hpp"
 #include "tools/series.hpp"
 #include "tools/summary.hpp"
 #include "tools/sweep_values.hpp"
@@ -37,6 +38,7 @@ void sweep(const std::string& scene_file, const std::vector<std::string>& assign
 }  // namespace impact
 
 int main(int argc, char** argv) {
+  impact::offer_reference_integrator();
   CLI::App app("Simulates a scene for all combinations of values; a row of a CSV file a run.",
                "sweep");
   std::string scene_file;

@@ -60,5 +60,38 @@ TEST(ForceField, PotentialEnergyIsThatOfItsTerms) {
                                                          field.load->potential_energy(position));
 }
 
+/// −∂F/∂r by differences, with the wall's part, and the supported coordinate coupled to nothing.
+TEST(ForceField, StiffnessIsTheDerivativeOfTheForce) {
+  ForceField field{BondForces(triangle(), {1.0, 3.0, 0.0}), 1.0 / 3.0};
+  field.wall.emplace(10.0, 0.1);
+  field.supports.emplace(std::vector<std::int32_t>{1}, std::vector<std::int32_t>{});
+  const PointArray position = 1.1 * triangle().points;
+  const auto entries = field.stiffness(position);
+  Eigen::SparseMatrix<double> sparse(6, 6);
+  sparse.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::MatrixXd stiffness = sparse;
+
+  constexpr double kMove = 1e-6;
+  constexpr int kHeld = 1;
+  PointArray above(3, 2);
+  PointArray below(3, 2);
+  for (int column = 0; column < 6; ++column) {
+    if (column == kHeld) continue;
+    PointArray moved = position;
+    moved(column % 3, column / 3) += kMove;
+    field.evaluate_undamped(moved, above);
+    moved(column % 3, column / 3) -= 2 * kMove;
+    field.evaluate_undamped(moved, below);
+    const PointArray derivative = (below - above) / (2 * kMove);
+    for (int row = 0; row < 6; ++row) {
+      // kMove²/6 of the third derivative, a² times the wall's stiffness of 10: 2·10⁻¹⁰.
+      EXPECT_NEAR(stiffness(row, column), derivative(row % 3, row / 3), 1e-9);
+    }
+    EXPECT_EQ(stiffness(kHeld, column), 0.0);
+    EXPECT_EQ(stiffness(column, kHeld), 0.0);
+  }
+  EXPECT_GT(stiffness(kHeld, kHeld), 0.0);
+}
+
 }  // namespace
 }  // namespace impact

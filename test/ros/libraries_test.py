@@ -20,6 +20,7 @@ ROS = {'roscpp', 'rosbag', 'rosbag_storage', 'rosconsole', 'rostime', 'xmlrpcpp'
 GEOMETRY = {'CGAL', 'gmp', 'gmpxx', 'mpfr'}
 FITS = {'gsl', 'gslcblas'}
 BAGS = {'rosbag', 'rosbag_storage'}
+SOLVERS = {'sundials_cvode'}
 
 
 class LibrariesTest(unittest.TestCase):
@@ -28,22 +29,22 @@ class LibrariesTest(unittest.TestCase):
         self.assertLessEqual(needed, found)
         self.assertEqual(found & not_needed, set())
 
-    def test_analysis_carries_neither_geometry_nor_bags(self):
-        self.assert_libraries('analysis_node', {'roscpp', 'gsl'}, GEOMETRY | BAGS)
+    def test_analysis_carries_neither_geometry_nor_bags_nor_solvers(self):
+        self.assert_libraries('analysis_node', {'roscpp', 'gsl'}, GEOMETRY | BAGS | SOLVERS)
 
     def test_simulation_carries_no_fits(self):
-        self.assert_libraries('simulation_node', {'roscpp', 'rosbag_storage', 'gmp'}, FITS)
+        self.assert_libraries('simulation_node', {'roscpp', 'rosbag_storage', 'gmp'} | SOLVERS, FITS)
 
-    def test_bags_are_analysed_without_geometry(self):
-        self.assert_libraries('analyse_bag', {'rosbag_storage', 'gsl'}, GEOMETRY)
+    def test_bags_are_analysed_without_geometry_and_solvers(self):
+        self.assert_libraries('analyse_bag', {'rosbag_storage', 'gsl'}, GEOMETRY | SOLVERS)
 
-    def test_single_runs_and_sweeps_carry_neither_ros_nor_fits(self):
+    def test_single_runs_and_sweeps_carry_no_ros(self):
         for name in ('impact', 'sweep'):
             with self.subTest(name):
-                self.assert_libraries(name, {'gmp', 'yaml-cpp'}, ROS | FITS)
+                self.assert_libraries(name, {'gmp', 'yaml-cpp', 'gsl'} | SOLVERS, ROS)
 
     def test_reproduction_carries_no_ros(self):
-        self.assert_libraries('reproduce', {'gmp', 'yaml-cpp', 'gsl'}, ROS)
+        self.assert_libraries('reproduce', {'gmp', 'yaml-cpp', 'gsl'} | SOLVERS, ROS)
 
 
 if __name__ == '__main__':

@@ -17,6 +17,7 @@ Scene contact_scene() {
   Scene scene;
   scene.kind = SceneKind::kContact;
   scene.material.eta = 100.0;
+  scene.numerics.integrator = IntegratorKind::kVerlet;
   return scene;
 }
 

@@ -52,6 +52,7 @@ TEST(RestEnd, IsReachedOnlyAtRest) {
   scene.disk.recipe.points = 60;
   scene.material.eta = 20.0;
   scene.load.p = 0.01;
+  scene.numerics.integrator = IntegratorKind::kVerlet;
   Composition composition = compose(scene);
   const auto end = end_of_run(scene, composition);
   Simulation simulation(std::move(composition.field), std::move(composition.initial),

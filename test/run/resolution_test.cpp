@@ -58,7 +58,7 @@ TEST(FirstResolution, StaysBelowTheLimitOfLatticeDampingAndWall) {
 
 /// Small lattices are slow; their step is capped.
 TEST(FirstResolution, IsNeverLong) {
-  EXPECT_DOUBLE_EQ(step(scene_with(IntegratorKind::kBlanesMoan, 1e-4, 0.0), {1.0, 0.0}), 0.1);
+  EXPECT_LE(step(scene_with(IntegratorKind::kBlanesMoan, 1e-4, 0.0), {1.0, 0.0}), 0.1);
 }
 
 TEST(FirstResolution, TakesAGivenStepUpToTheLimit) {

@@ -1,0 +1,60 @@
+#include "solvers/reduced_system.hpp"
+
+namespace impact {
+
+ReducedSystem::ReducedSystem(const ForceField& field) : point_mass_(field.point_mass) {
+  const auto points = static_cast<std::int32_t>(field.bonds.points());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const int axis : {0, 1}) {
+    const Matrix along = field.damping(axis);
+    for (std::int32_t column = 0; column < points; ++column) {
+      for (Matrix::InnerIterator entry(along, column); entry; ++entry) {
+        entries.emplace_back(axis * points + static_cast<std::int32_t>(entry.row()),
+                             axis * points + column, entry.value());
+      }
+    }
+  }
+  const Eigen::Index coordinates = 2 * field.bonds.points();
+  damping_.resize(coordinates, coordinates);
+  damping_.setFromTriplets(entries.begin(), entries.end());
+  velocity_.resize(coordinates);
+  if (field.hold) {
+    const PointArray& direction = field.hold->direction();
+    hold_direction_ = Eigen::Map<const Eigen::VectorXd>(direction.data(), direction.size());
+  }
+}
+
+void ReducedSystem::set_stiffness(const ForceField& field, const PointArray& position) {
+  std::vector<Eigen::Triplet<double>> entries = field.stiffness(position);
+  const auto coordinates = static_cast<std::int32_t>(2 * position.rows());
+  for (std::int32_t i = 0; i < coordinates; ++i) entries.emplace_back(i, i, 0.0);
+  stiffness_.resize(coordinates, coordinates);
+  stiffness_.setFromTriplets(entries.begin(), entries.end());
+}
+
+bool ReducedSystem::factorise(double gamma) {
+  gamma_ = gamma;
+  sum_ = (gamma / point_mass_) * damping_ + (gamma * gamma / point_mass_) * stiffness_;
+  sum_.diagonal().array() += 1.0;
+  if (!ordered_) factors_.analyzePattern(sum_);
+  ordered_ = true;
+  factors_.factorize(sum_);
+  if (factors_.info() != Eigen::Success) return false;
+  if (hold_direction_.size() == 0) return true;
+  hold_response_ = factors_.solve(hold_direction_);
+  hold_response_ /= hold_direction_.dot(hold_response_);
+  return true;
+}
+
+void ReducedSystem::solve(double* r) {
+  const Eigen::Index coordinates = velocity_.size();
+  FirstOrderForm::Vector position(r, coordinates);
+  FirstOrderForm::Vector velocity(r + coordinates, coordinates);
+  velocity -= (gamma_ / point_mass_) * (stiffness_ * position);
+  velocity_ = factors_.solve(velocity);
+  if (hold_direction_.size() != 0) velocity_ -= hold_direction_.dot(velocity_) * hold_response_;
+  velocity = velocity_;
+  position += gamma_ * velocity_;
+}
+
+}  // namespace impact
