@@ -31,13 +31,13 @@ bool FirstOrderForm::evaluate(ForceField& field, const double* y, double* rate) 
   return all.allFinite();
 }
 
-void FirstOrderForm::scale(const ForceField& field, double tolerance, const MotionScales& scales,
+void FirstOrderForm::scale(const ForceField& field, double tolerance, const Scales& scales,
                            double* tolerances) const {
   Vector all(tolerances, size());
   all.head(2 * points_).setConstant(tolerance * scales.length);
-  all.segment(2 * points_, 2 * points_).setConstant(tolerance * scales.speed);
+  all.segment(2 * points_, 2 * points_).setConstant(tolerance * scales.velocity);
   const double mass = static_cast<double>(points_) * field.point_mass;
-  all.tail(2).setConstant(tolerance * mass * scales.speed * scales.speed);
+  all.tail(2).setConstant(tolerance * mass * scales.velocity * scales.velocity);
 }
 
 }  // namespace impact

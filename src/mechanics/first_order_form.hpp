@@ -6,9 +6,9 @@
 namespace impact {
 
 /// What counts as of order one in a motion, for tolerances.
-struct MotionScales {
-  double length;  ///< of displacements, R
-  double speed;   ///< c
+struct Scales {
+  double length;    ///< of displacements, R
+  double velocity;  ///< c
 };
 
 /// The motion as a system of the first order, ẏ = f(y), for solvers of such systems:
@@ -33,8 +33,8 @@ class FirstOrderForm {
   /// Overwrites `rate` with ẏ. False when it is not finite.
   bool evaluate(ForceField& field, const double* y, double* rate);
 
-  /// Absolute tolerances of y: `tolerance` in these scales, energies in that of N m (speed)².
-  void scale(const ForceField& field, double tolerance, const MotionScales& scales,
+  /// Absolute tolerances of y: `tolerance` in these scales, energies in that of N m (velocity)².
+  void scale(const ForceField& field, double tolerance, const Scales& scales,
              double* tolerances) const;
 
  private:

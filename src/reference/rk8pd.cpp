@@ -21,7 +21,7 @@ using Evolve = std::unique_ptr<gsl_odeiv2_evolve, decltype(&gsl_odeiv2_evolve_fr
 
 class Rk8pd::Solver {
  public:
-  Solver(ForceField& field, const State& state, double tolerance, const MotionScales& scales)
+  Solver(ForceField& field, const State& state, double tolerance, const Scales& scales)
       : form_(state.position.rows()),
         y_(size()),
         rate_(size()),
@@ -29,7 +29,7 @@ class Rk8pd::Solver {
         step_(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, size()), &gsl_odeiv2_step_free),
         control_(nullptr, &gsl_odeiv2_control_free),
         evolve_(gsl_odeiv2_evolve_alloc(size()), &gsl_odeiv2_evolve_free),
-        inner_step_(kFirstStep * scales.length / scales.speed) {
+        inner_step_(kFirstStep * scales.length / scales.velocity) {
     gsl_set_error_handler_off();
     form_.scale(field, tolerance, scales, rate_.data());
     control_.reset(gsl_odeiv2_control_scaled_new(1.0, 0.0, 1.0, 0.0, rate_.data(), size()));
@@ -78,8 +78,7 @@ class Rk8pd::Solver {
   double inner_step_;
 };
 
-Rk8pd::Rk8pd(double tolerance, const MotionScales& scales)
-    : tolerance_(tolerance), scales_(scales) {}
+Rk8pd::Rk8pd(double tolerance, const Scales& scales) : tolerance_(tolerance), scales_(scales) {}
 
 Rk8pd::~Rk8pd() = default;
 

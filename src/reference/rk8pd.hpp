@@ -20,7 +20,7 @@ namespace impact {
 class Rk8pd : public Integrator {
  public:
   /// `tolerance` of the error of one inner step, in units of `scales`.
-  Rk8pd(double tolerance, const MotionScales& scales);
+  Rk8pd(double tolerance, const Scales& scales);
   Rk8pd(const Rk8pd&) = delete;
   Rk8pd& operator=(const Rk8pd&) = delete;
   ~Rk8pd() override;
@@ -35,7 +35,7 @@ class Rk8pd : public Integrator {
   class Solver;
 
   double tolerance_;
-  MotionScales scales_;
+  Scales scales_;
   std::unique_ptr<Solver> solver_;
 };
 

@@ -19,8 +19,11 @@ namespace impact {
 namespace {
 
 constexpr double kStabilityFactor = 0.96;
-constexpr double kLongestStep = 0.1;      // R/c
-constexpr double kReportInterval = 0.02;  // R/c, of adaptive integrators
+constexpr double kLongestStep = 0.1;         // R/c
+constexpr double kReportInterval = 0.02;     // R/c, of adaptive integrators
+constexpr double kRestReportInterval = 0.5;  // where a contact comes to rest
+/// Where a contact comes to rest does not depend on how it came there.
+constexpr double kRestTolerance = 1e-3;
 /// Relative error of e in steps h of velocity Verlet over (a v h)², as measured on the default disk
 /// for v = 0.01 … 0.05 c: 1.3 … 2.1 · 10⁻⁴.
 constexpr double kSecondOrderError = 2e-4;
@@ -126,7 +129,7 @@ std::unique_ptr<Integrator> make_fixed(IntegratorKind integrator) {
 }
 
 /// Typical displacement and speed of a scene, by which tolerances are measured.
-MotionScales scales_of(const Scene& scene, double sound_speed) {
+Scales scales_of(const Scene& scene, double sound_speed) {
   if (scene.kind == SceneKind::kCollision) {
     return {scene.impact.velocity / sound_speed, scene.impact.velocity};
   }
@@ -179,8 +182,11 @@ int order_of(IntegratorKind integrator) {
 Resolution first_resolution(const Scene& scene, const Rates& rates) {
   const IntegratorKind integrator = scene.numerics.integrator;
   if (is_adaptive(integrator)) {
-    return {integrator, dividing_resets(scene, kReportInterval),
-            scene.numerics.tolerance.value_or(scene.numerics.error)};
+    const bool comes_to_rest = scene.kind == SceneKind::kContact;
+    const double tolerance = comes_to_rest ? kRestTolerance : scene.numerics.error;
+    return {integrator,
+            dividing_resets(scene, comes_to_rest ? kRestReportInterval : kReportInterval),
+            scene.numerics.tolerance.value_or(tolerance)};
   }
   const bool automatic = integrator == IntegratorKind::kAuto;
   if (scene.numerics.step) {
@@ -224,7 +230,7 @@ double round_step_down(double value) {
 
 std::unique_ptr<Integrator> make_integrator(const Scene& scene, const Resolution& resolution,
                                             double sound_speed) {
-  const MotionScales scales = scales_of(scene, sound_speed);
+  const Scales scales = scales_of(scene, sound_speed);
   switch (resolution.integrator) {
     case IntegratorKind::kBdf:
       return std::make_unique<Bdf>(resolution.tolerance, scales);

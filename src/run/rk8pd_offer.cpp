@@ -16,7 +16,7 @@ MakeRk8pd& offered() {
 
 void offer_rk8pd(MakeRk8pd make) { offered() = std::move(make); }
 
-std::unique_ptr<Integrator> offered_rk8pd(double tolerance, const MotionScales& scales) {
+std::unique_ptr<Integrator> offered_rk8pd(double tolerance, const Scales& scales) {
   if (!offered()) {
     throw bad_value("numerics.integrator", "rk8pd",
                     "another one here; the programs impact, sweep and work_precision have it");

@@ -8,13 +8,13 @@
 
 namespace impact {
 
-using MakeRk8pd = std::function<std::unique_ptr<Integrator>(double tolerance, const MotionScales&)>;
+using MakeRk8pd = std::function<std::unique_ptr<Integrator>(double tolerance, const Scales&)>;
 
 /// Makes the integrator rk8pd known to the scenes of a program. It is a reference for others and
 /// brings GSL along, which the simulation node does not carry.
 void offer_rk8pd(MakeRk8pd make);
 
 /// @throw InputError when the program has not offered it.
-std::unique_ptr<Integrator> offered_rk8pd(double tolerance, const MotionScales& scales);
+std::unique_ptr<Integrator> offered_rk8pd(double tolerance, const Scales& scales);
 
 }  // namespace impact

@@ -73,7 +73,7 @@ Owned<SUNLinearSolver> make_solver(Preconditioner& content, SUNContext context) 
 
 class Bdf::Solver {
  public:
-  Solver(ForceField& field, const State& state, double tolerance, const MotionScales& scales)
+  Solver(ForceField& field, const State& state, double tolerance, const Scales& scales)
       : form_(state.position.rows()),
         system_(field),
         linearised_(state),
@@ -89,6 +89,7 @@ class Bdf::Solver {
     CVodeInit(cvode, &Solver::evaluate, 0.0, y_.get());
     form_.scale(field, tolerance, scales, values(rate_.get()));
     CVodeSVtolerances(cvode, 0.0, rate_.get());
+    CVodeSetStabLimDet(cvode, SUNTRUE);
     CVodeSetMaxNumSteps(cvode, kMostInnerSteps);
     CVodeSetLinearSolver(cvode, linear_solver_.get(), nullptr);
     CVodeSetPreconditioner(cvode, &Solver::factorise, &Solver::solve);
@@ -162,7 +163,7 @@ class Bdf::Solver {
   std::unique_ptr<void, FreeCvode> cvode_;
 };
 
-Bdf::Bdf(double tolerance, const MotionScales& scales) : tolerance_(tolerance), scales_(scales) {}
+Bdf::Bdf(double tolerance, const Scales& scales) : tolerance_(tolerance), scales_(scales) {}
 
 Bdf::~Bdf() = default;
 

@@ -50,9 +50,11 @@ void ReducedSystem::solve(double* r) {
   const Eigen::Index coordinates = velocity_.size();
   FirstOrderForm::Vector position(r, coordinates);
   FirstOrderForm::Vector velocity(r + coordinates, coordinates);
+  const bool held = hold_direction_.size() != 0;
+  const double turn = held ? hold_direction_.dot(velocity) : 0.0;
   velocity -= (gamma_ / point_mass_) * (stiffness_ * position);
   velocity_ = factors_.solve(velocity);
-  if (hold_direction_.size() != 0) velocity_ -= hold_direction_.dot(velocity_) * hold_response_;
+  if (held) velocity_ -= (hold_direction_.dot(velocity_) - turn) * hold_response_;
   velocity = velocity_;
   position += gamma_ * velocity_;
 }

@@ -11,8 +11,9 @@ namespace impact {
 /// y = (x, v, energies), reduced to the velocities:
 ///   (1 + γ D/m + γ² K/m) z_v = r_v − γ K r_x/m,   z_x = r_x + γ z_v,
 /// with the damping matrix D and the tangent stiffness K. The energies do not act back on the
-/// motion; M has the unit matrix in their place. Where the field holds the rotation, z_v keeps the
-/// constraint if r does.
+/// motion; M has the unit matrix in their place. Where the field holds the rotation, no force acts
+/// along the direction d of the constraint, and d·z_v = d·r_v: errors along it must not survive the
+/// solution, since nothing else would ever bring them back.
 ///
 /// Sparse Cholesky factors (LDLᵀ) by Eigen, with the ordering of the first matrix.
 class ReducedSystem {

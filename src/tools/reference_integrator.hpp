@@ -9,7 +9,7 @@ namespace impact {
 
 /// Lets the scenes of this program have the integrator rk8pd.
 inline void offer_reference_integrator() {
-  offer_rk8pd([](double tolerance, const MotionScales& scales) {
+  offer_rk8pd([](double tolerance, const Scales& scales) {
     return std::make_unique<Rk8pd>(tolerance, scales);
   });
 }

@@ -10,18 +10,18 @@
 namespace impact {
 namespace {
 
-constexpr MotionScales kScales{Oscillator::kStretch, 2.0 * Oscillator::kStretch};
+constexpr Scales kScales{Oscillator::kStretch, 2.0 * Oscillator::kStretch};
 
 class Rk8pdOscillation : public testing::TestWithParam<double> {};  // over damping rates
 
 /// The error of a step is held to the tolerance, and the number of steps rises as tolerance^(−1/8)
 /// at most: error ∝ tolerance^(7/8) where errors add up, ∝ tolerance where damping wipes them out.
-/// 0.15 for the scatter: the few long steps at loose tolerances do better than they have to.
+/// 0.1 for the scatter: the few long steps at loose tolerances do better than they have to.
 TEST_P(Rk8pdOscillation, ErrorFallsWithTheTolerance) {
   const double exponent = exponent_of_tolerance(
       [](double tolerance) { return Rk8pd(tolerance, kScales); }, GetParam(), 10.0);
-  EXPECT_GT(exponent, 7.0 / 8.0 - 0.15);
-  EXPECT_LT(exponent, 1.0 + 0.15);
+  EXPECT_GT(exponent, 7.0 / 8.0 - 0.1);
+  EXPECT_LT(exponent, 1.0 + 0.1);
 }
 
 /// No more than the sum of the errors of all steps, at 13 evaluations each.
@@ -60,10 +60,10 @@ struct FallingPatch {
     state.velocity.col(1).setConstant(-0.1);
   }
 
-  void run() {
+  void run(int steps = 20) {
     Rk8pd integrator(1e-6, {0.1, 0.1});
     integrator.restart(field, state);
-    for (int k = 0; k < 20; ++k) integrator.step(field, state, 0.2);
+    for (int k = 0; k < steps; ++k) integrator.step(field, state, 0.2);
   }
 
   Lattice lattice = triangular_patch(4);
@@ -75,7 +75,7 @@ TEST(Rk8pd, KeepsTheRotationHeld) {
   FallingPatch patch;
   patch.field.hold.emplace(patch.lattice.points);
   const PointArray start = patch.state.position;
-  patch.run();
+  patch.run(500);                      // errors along the constraint, if they grew, would by now
   constexpr double kRounding = 1e-12;  // 10⁻¹⁶ of 32 products of up to 3, in some hundred steps
   const PointArray& direction = patch.field.hold->direction();
   const PointArray moves = patch.state.position - start;

@@ -71,19 +71,11 @@ TEST(ReducedSystem, KeepsSupportedCoordinates) {
   for (const int velocity : {32 + 0, 32 + 5, 48 + 3}) EXPECT_EQ(z(velocity), 0.0);
 }
 
-TEST(ReducedSystem, KeepsTheRotationHeld) {
+TEST(ReducedSystem, SolvesTheSystemWithTheRotationHeld) {
   Patch patch;
   patch.field.hold.emplace(patch.lattice.points);
-  const PointArray& turn = patch.field.hold->direction();
-  const Eigen::Map<const Eigen::VectorXd> direction(turn.data(), turn.size());
-  Eigen::VectorXd r = some_residual(16);
-  for (const int first : {0, 32}) {
-    r.segment(first, 32) -=
-        direction * (direction.dot(r.segment(first, 32)) / direction.squaredNorm());
-  }
-  const Eigen::VectorXd z = patch.solved(r);
-  EXPECT_LT((patch.product(z) - r).cwiseAbs().maxCoeff(), kDifferences);
-  EXPECT_NEAR(direction.dot(z.segment(32, 32)), 0.0, 1e-14);  // rounding
+  const Eigen::VectorXd r = some_residual(16);
+  EXPECT_LT((patch.product(patch.solved(r)) - r).cwiseAbs().maxCoeff(), kDifferences);
 }
 
 }  // namespace
