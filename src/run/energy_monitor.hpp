@@ -21,6 +21,10 @@ class EnergyMonitor {
   /// not finite.
   void check(const Simulation& simulation);
 
+  /// Whether the kinetic energy alone, which costs little to know, is more than twice the largest
+  /// energy so far, or not finite: a reason to check.
+  bool is_alarming(const Simulation& simulation) const;
+
   /// Largest deviation of the ledger's total from the start, over the largest sum of kinetic, bond
   /// and wall energy of the bodies, of all checks so far.
   double error() const { return largest_deviation_ / largest_energy_; }

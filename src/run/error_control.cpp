@@ -17,7 +17,7 @@ constexpr double kLeastRefinement = 1.3;
 constexpr double kMostRefinement = 10.0;  // at once
 constexpr double kMargin = 2.0;
 constexpr double kTail = 0.01;  // of numerics.error
-constexpr double kMostSteps = 1e9;
+constexpr double kMostSteps = 5e6;
 constexpr double kLeastTolerance = 1e-14;
 /// Refinements that may leave the estimate as it is before the cause is taken to be another one.
 constexpr int kMostStagnations = 2;
@@ -86,8 +86,15 @@ bool ErrorControl::accepts_impact(const Run& run) {
   const double estimate = kMargin * difference / gain;
   estimated_error_ = estimate + kTail * scene_.numerics.error;
   last_ = answer;
-  if (estimated_error_ <= scene_.numerics.error) return true;
+  const bool good = estimated_error_ <= scene_.numerics.error;
+  if (good && (!unruly_ || last_was_good_)) return true;
+  last_was_good_ = good;
+  if (good) {
+    refine(kLeastRefinement);
+    return false;
+  }
 
+  unruly_ = unruly_ || std::isfinite(last_estimate_);
   stagnations_ = estimate > kStagnation * last_estimate_ ? stagnations_ + 1 : 0;
   last_estimate_ = estimate;
   if (stagnations_ >= kMostStagnations) {

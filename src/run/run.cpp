@@ -8,6 +8,7 @@ namespace impact {
 namespace {
 
 constexpr std::uint64_t kCheckSteps = 64;
+constexpr std::uint64_t kAlarmSteps = 4;
 constexpr int kMostHalvings = 20;
 constexpr double kManyHops = 0.01;  // of the impact's energy
 
@@ -112,7 +113,11 @@ void Run::observe_step() {
   if (simulation_.halvings() > kMostHalvings) {
     throw RunFailure("the wall grew too stiff: the step was halved more than 20 times");
   }
-  if (state().step % kCheckSteps == 0) look();
+  if (state().step % kCheckSteps == 0) {
+    look();
+  } else if (state().step % kAlarmSteps == 0 && monitor_.is_alarming(simulation_)) {
+    monitor_.check(simulation_);
+  }
   if (end_->reached(simulation_)) {
     finish();
   } else if (state().time > kPatience * expected_time_) {

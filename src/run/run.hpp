@@ -53,7 +53,8 @@ class Run {
 
   ContactReports take_contact_reports() { return recorder_.take(simulation_); }
 
-  /// See EnergyMonitor; looked at every 64 steps and at the end.
+  /// See EnergyMonitor; looked at every 64 steps, at the end and, as soon as the kinetic energy
+  /// alarms, at every fourth.
   double energy_error() const { return monitor_.error(); }
 
   /// What a reader should know of the run: `starts_in_wall` (the wall's energy at the start exceeds

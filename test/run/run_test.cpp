@@ -157,6 +157,23 @@ TEST(Collision, EnergyErrorAboveTheWantedErrorIsFlagged) {
   EXPECT_TRUE(run.has_flag("energy_error"));
 }
 
+/// A step far beyond the limit, which only a wrong spectrum lets pass.
+TEST(Collision, ABlowUpStopsWithinAFewSteps) {
+  const Scene scene;
+  Composition composition = compose(scene);
+  composition.rates.lattice = {};
+  composition.resolution.step = 0.1;
+  composition.initial.position.row(500) += 0.01;  // sets the fastest modes going
+  impact::Run run(scene, std::move(composition));
+  EXPECT_THROW(
+      {
+        while (!run.finished()) run.advance();
+      },
+      RunFailure);
+  // Within eight steps an error in the fastest mode grows by (ωh)² > 40 eight times.
+  EXPECT_LE(run.state().step, 8U);
+}
+
 /// A start inside the wall is allowed, may give e > 1, and is flagged with the bound that energy
 /// sets.
 TEST(Collision, StartInsideTheWallIsFlagged) {
