@@ -7,9 +7,10 @@
 namespace impact {
 namespace {
 
-/// Holds the frequency of a point against the wall to half the stability limit; against an elastic
-/// wall, where both ends move, to 1/√2 of it.
-constexpr double kWallMargin = 4.0;
+/// Times the stiffness of the wall: for what the force may grow beyond the forecast. Against an
+/// elastic wall both ends move, which doubles the square of the frequency.
+constexpr double kWallMargin = 1.5;
+constexpr double kBothEndsMove = 2.0;
 
 }  // namespace
 
@@ -70,10 +71,11 @@ double Simulation::approach_speed() const {
 
 void Simulation::watch_wall(const WallContact& wall) {
   const double approach = approach_speed();
+  const double margin = kWallMargin * (field_.elastic_wall ? kBothEndsMove : 1.0);
   const auto limit = [&] {
     const double force = wall.largest_force() * std::exp(wall.a() * approach * step_size_);
     const double omega_squared =
-        spectrum_.omega_squared + kWallMargin * wall.stiffness(force) / field_.point_mass;
+        spectrum_.omega_squared + margin * wall.stiffness(force) / field_.point_mass;
     return integrator_->step_limit(omega_squared, spectrum_.gamma);
   };
   while (step_size_ > limit()) {

@@ -15,7 +15,7 @@ namespace impact {
 /// A scene in motion: its state, the forces on it, its integrator and step.
 ///
 /// The wall grows stiffer the deeper a point is pressed into it. Before each step the integrator's
-/// stability bound is looked at with four times the stiffness a F of the largest force that a point
+/// stability bound is looked at with 1.5 times the stiffness a F of the largest force that a point
 /// may meet in that step, F exp(a v h) with the greatest speed v at which a point of the disk and
 /// one of the wall may approach. The step is halved from there on while it exceeds the bound.
 ///

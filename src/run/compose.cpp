@@ -15,6 +15,11 @@
 namespace impact {
 namespace {
 
+/// Flight, in R/c, before the wall's energy is no longer negligible. At high speeds it leaves
+/// nothing of that energy at the start, so that even a disk which folds meets the wall in the same
+/// way whatever the wanted error.
+constexpr double kApproach = 0.5;
+
 /// Of a static solution, an iteration of which counts as a step.
 constexpr Resolution kNoMotion{IntegratorKind::kNewton, 1.0, 0.0};
 
@@ -121,7 +126,8 @@ State initial_state(const Scene& scene, const PointArray& reference, const Point
     lowest = wall.gap_of_force(scene.load.p);
   } else {
     lowest = scene.impact.gap ? *scene.impact.gap
-                              : wall.height_of_energy(reference, negligible_wall_energy(scene));
+                              : wall.height_of_energy(reference, negligible_wall_energy(scene)) +
+                                    kApproach * scene.impact.velocity;
     state.velocity.col(1).head(points) = -scene.impact.velocity;
   }
   state.position.col(1).head(points) += lowest - reference.col(1).minCoeff();

@@ -71,12 +71,15 @@ bool ErrorControl::accepts_impact(const Run& run) {
                     "expected duration",
                     run.state().time, Run::kPatience));
   }
+  const bool reduced = run.simulation().halvings() > 0;
+  resolution_.step = run.simulation().step_size();
   const Answer answer{resolution_, run.disk_state().velocity.colwise().mean()};
-  if (!last_ || last_->resolution.integrator != resolution_.integrator) {
+  if (!last_ || last_->resolution.integrator != resolution_.integrator || reduced) {
     last_ = answer;
     refine(kLeastRefinement);
     return false;
   }
+  unruly_ = unruly_ || run.has_flag("folded");
   const double difference = relative_difference(answer.velocity, last_->velocity);
   const bool adaptive = is_adaptive(resolution_.integrator);
   const double gain = adaptive ? kMargin

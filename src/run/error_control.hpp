@@ -18,10 +18,11 @@ namespace impact {
 /// after the impact; two runs with steps h and r h, r ≥ 1.3, and a method of order p give the
 /// estimate 2 |v′(h) − v′(rh)|/((r^p − 1) |v′(h)|), with a margin of 2. For an adaptive integrator
 /// the two tolerances differ by 1.3⁴ at least and the difference itself is the estimate. ε/100 is
-/// added for the wall's tail, in which the motion begins and ends. Where the step that should have
-/// been short enough was not (a lattice that folds, say), two estimates in a row must be good.
-/// Where two runs of a method of order 2 show that it needs more steps than expected, `auto` may go
-/// over to one of order 6.
+/// added for the wall's tail, in which the motion begins and ends. A run whose step was reduced on
+/// the way counts with its shortest step, and only serves as the coarser of two. Where the lattice
+/// folds, which amplifies errors, or the step that should have been short enough was not, two
+/// estimates in a row must be good. Where two runs of a method of order 2 show that it needs more
+/// steps than expected, `auto` may go over to one of order 6.
 ///
 /// Contact: the strain of the state at rest against that after one more step of Newton's method,
 /// which converges quadratically.
@@ -71,7 +72,7 @@ class ErrorControl {
   double estimated_error_ = std::numeric_limits<double>::quiet_NaN();
   double last_estimate_ = std::numeric_limits<double>::infinity();
   int stagnations_ = 0;
-  bool unruly_ = false;  ///< an error did not fall as the order promises
+  bool unruly_ = false;  ///< the lattice folds, or an error did not fall as the order promises
   bool last_was_good_ = false;
 };
 

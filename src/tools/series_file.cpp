@@ -162,7 +162,7 @@ void SeriesFile::read_line(std::size_t line, const std::string& text) {
 }
 
 void SeriesFile::add_row(const std::vector<std::string>& cells) {
-  Row row{scenes_[rows_.size()], {}, {}, cells.back()};
+  Row row{scenes_[rows_.size()], {}, cells.back()};
   for (std::size_t i = 0; i < result_keys_.size(); ++i) {
     const std::string& cell = cells[scene_keys_.size() + i];
     row.results[result_keys_[i]] = number(cell);

@@ -16,8 +16,8 @@ namespace impact {
 struct Row {
   Scene scene;
   std::map<std::string, double> results;  ///< by result key; NaN for what is no number
-  std::string integrator;
-  std::string flags;  ///< separated by ';'
+  std::string flags;                      ///< separated by ';'
+  std::string integrator{};
 };
 
 /// True for a run that could not go on.
