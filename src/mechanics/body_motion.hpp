@@ -8,10 +8,10 @@ namespace impact {
 
 /// Motion of a body of equal mass points as a whole; its mass is 1 M.
 struct BodyMotion {
-  Eigen::Array2d centre;           ///< of mass, R
-  Eigen::Array2d velocity;         ///< of the centre of mass, c
-  double angular_momentum = 0.0;   ///< about the centre of mass, counter-clockwise, M c R
-  double moment_of_inertia = 0.0;  ///< about the centre of mass, M R²
+  Eigen::Array2d centre{0.0, 0.0};    ///< of mass, R
+  Eigen::Array2d velocity{0.0, 0.0};  ///< of the centre of mass, c
+  double angular_momentum = 0.0;      ///< about the centre of mass, counter-clockwise, M c R
+  double moment_of_inertia = 0.0;     ///< about the centre of mass, M R²
   double spin() const { return angular_momentum / moment_of_inertia; }  ///< c/R
 };
 

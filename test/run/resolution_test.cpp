@@ -50,7 +50,9 @@ TEST(FirstResolution, StaysBelowTheLimitOfLatticeDampingAndWall) {
         const double limit =
             step_limit(integrator, spectrum.omega_squared + wall * kPoints, spectrum.gamma);
         EXPECT_LE(step(scene, spectrum), 0.96 * limit);
-        if (velocity < 0.1) EXPECT_GE(step(scene, spectrum), std::min(0.1, 0.96 * limit) / 2.0);
+        if (velocity < 0.1) {
+          EXPECT_GE(step(scene, spectrum), std::min(0.1, 0.96 * limit) / 2.0);
+        }
       }
     }
   }
