@@ -17,7 +17,7 @@ ReducedSystem::ReducedSystem(const ForceField& field) : point_mass_(field.point_
   const Eigen::Index coordinates = 2 * field.bonds.points();
   damping_.resize(coordinates, coordinates);
   damping_.setFromTriplets(entries.begin(), entries.end());
-  velocity_.resize(coordinates);
+  work_.resize(coordinates);
   if (field.hold) {
     const PointArray& direction = field.hold->direction();
     hold_direction_ = Eigen::Map<const Eigen::VectorXd>(direction.data(), direction.size());
@@ -40,6 +40,7 @@ bool ReducedSystem::factorise(double gamma) {
   ordered_ = true;
   factors_.factorize(sum_);
   if (factors_.info() != Eigen::Success) return false;
+  pivots_ = factors_.vectorD();
   if (hold_direction_.size() == 0) return true;
   hold_response_ = factors_.solve(hold_direction_);
   hold_response_ /= hold_direction_.dot(hold_response_);
@@ -47,16 +48,21 @@ bool ReducedSystem::factorise(double gamma) {
 }
 
 void ReducedSystem::solve(double* r) {
-  const Eigen::Index coordinates = velocity_.size();
+  const Eigen::Index coordinates = work_.size();
   FirstOrderForm::Vector position(r, coordinates);
   FirstOrderForm::Vector velocity(r + coordinates, coordinates);
   const bool held = hold_direction_.size() != 0;
   const double turn = held ? hold_direction_.dot(velocity) : 0.0;
-  velocity -= (gamma_ / point_mass_) * (stiffness_ * position);
-  velocity_ = factors_.solve(velocity);
-  if (held) velocity_ -= (hold_direction_.dot(velocity_) - turn) * hold_response_;
-  velocity = velocity_;
-  position += gamma_ * velocity_;
+  work_.noalias() = stiffness_ * position;
+  velocity -= (gamma_ / point_mass_) * work_;
+  // As factors_.solve(), which takes memory from the heap.
+  work_.noalias() = factors_.permutationP() * velocity;
+  factors_.matrixL().solveInPlace(work_);
+  work_.array() /= pivots_.array();
+  factors_.matrixU().solveInPlace(work_);
+  velocity.noalias() = factors_.permutationPinv() * work_;
+  if (held) velocity -= (hold_direction_.dot(velocity) - turn) * hold_response_;
+  position += gamma_ * velocity;
 }
 
 }  // namespace impact

@@ -39,7 +39,8 @@ class ReducedSystem {
   Matrix sum_;
   Eigen::SimplicialLDLT<Matrix> factors_;
   bool ordered_ = false;
-  Eigen::VectorXd velocity_;
+  Eigen::VectorXd pivots_;  ///< of the factors
+  Eigen::VectorXd work_;
   Eigen::VectorXd hold_direction_;  ///< empty: rotation not held
   Eigen::VectorXd hold_response_;
 };

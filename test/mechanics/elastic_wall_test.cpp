@@ -224,6 +224,22 @@ TEST_P(EveryMeasure, CountsWhatEntersAndLeavesItsReach) {
   EXPECT_DOUBLE_EQ(wall.hops_size(), entered + left);
 }
 
+/// Evaluations at the stages of an integrator, here one past the valley and one out of reach.
+TEST_P(EveryMeasure, CountsNoHopsOfExcursionsBetweenCounts) {
+  const PointArray position = valley(0.5, 0.5);
+  ElasticWall wall = valley_wall(position, GetParam());
+  PointArray force = PointArray::Zero(4, 2);
+  wall.add_forces(valley(1.5, 0.4), force);
+  wall.add_forces(valley(0.5, 3.0), force);
+  wall.add_forces(position, force);
+  wall.count_hops(position);
+  EXPECT_GT(wall.potential_energy(position), 0.0);
+  EXPECT_EQ(wall.hops_size(), 0.0);
+  wall.add_forces(valley(0.5, 3.0), force);
+  wall.count_hops(valley(0.5, 3.0));
+  EXPECT_GT(wall.hops_size(), 0.0);
+}
+
 INSTANTIATE_TEST_SUITE_P(GapMeasure, EveryMeasure,
                          testing::Values(GapMeasure::kNormal, GapMeasure::kVertical));
 
