@@ -101,7 +101,9 @@ void add_sizes(std::vector<Case>& cases, double largest) {
   const Change points = [](Scene& s, double value) {
     s.disk.recipe.points = static_cast<int>(value);
   };
-  add(cases, "N", Scene{}, sizes, points);
+  Scene fast;
+  fast.impact.velocity = 0.05;
+  add(cases, "v = 0.05, N", fast, sizes, points);
   Scene small;
   small.impact.velocity = 1.0;
   small.material.eta = 1e6;
