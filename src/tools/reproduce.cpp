@@ -1,38 +1,20 @@
 // The figures of the paper over an ensemble of lattices, as CSV and as plots.
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <set>
 #include <string>
 #include <thread>
 
 #include "tools/interruption.hpp"
+#include "tools/plotting.hpp"
 #include "tools/program.hpp"
 #include "tools/reproduction.hpp"
 
 namespace impact {
 namespace {
 
-/// Becomes the plotting program, which lies beside this one.
-[[noreturn]] void plot(const std::filesystem::path& folder, const std::string& figure) {
-  const std::string program =
-      std::filesystem::read_symlink("/proc/self/exe").replace_filename("plot_figures").string();
-  execl(program.c_str(), program.c_str(), figure.c_str(), folder.c_str(), nullptr);
-  throw std::runtime_error(
-      fmt::format("{}: {}; the CSV files are complete", program, std::strerror(errno)));
-}
-
 void reproduce(const std::string& figure, const Reproduction& reproduction) {
-  std::error_code error;
-  std::filesystem::create_directories(reproduction.folder, error);
-  if (error) {
-    throw InputError(
-        fmt::format("--output: {}: {}", reproduction.folder.string(), error.message()));
-  }
+  make_output_folder(reproduction.folder);
   take_interruptions();
   const bool all = figure == "all";
   const Material material = measure_material(reproduction);

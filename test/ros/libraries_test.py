@@ -43,8 +43,10 @@ class LibrariesTest(unittest.TestCase):
             with self.subTest(name):
                 self.assert_libraries(name, {'gmp', 'yaml-cpp', 'gsl'} | SOLVERS, ROS)
 
-    def test_reproduction_carries_no_ros(self):
-        self.assert_libraries('reproduce', {'gmp', 'yaml-cpp', 'gsl'} | SOLVERS, ROS)
+    def test_reproduction_and_measurement_carry_no_ros(self):
+        for name in ('reproduce', 'work_precision'):
+            with self.subTest(name):
+                self.assert_libraries(name, {'gmp', 'yaml-cpp', 'gsl'} | SOLVERS, ROS)
 
 
 if __name__ == '__main__':

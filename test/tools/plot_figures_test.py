@@ -47,6 +47,27 @@ def write_figure6(folder):
     write(folder, 'figure6_fits.csv', ['case,d1,d2', 'reset 0.004,nan,nan'])
 
 
+def write_precision(folder):
+    """The contact's curves are verified answers, the others' are runs; one error is 0."""
+    header = ('kind,integrator,wanted_error,time,force_evaluations,error,position_error,'
+              'on_front')
+    write(folder, 'work_precision_contact.csv',
+          [header, 'verified,newton,0.01,0.001,5,0,0,1', 'verified,bdf,0.01,0.1,50,1e-3,1e-5,0',
+           'verified,auto,0.01,0.001,5,0,0,0'])
+    for name in ('collision_eta0', 'collision_eta1', 'collision_eta100', 'absorbing_wall'):
+        write(folder, f'work_precision_{name}.csv',
+              [header, 'run,verlet,nan,0.1,500,1e-3,1e-4,1', 'run,rk8pd,nan,1,5000,1e-9,1e-10,1',
+               'bare,verlet,0.01,0.1,500,1e-3,nan,0', 'verified,auto,0.01,0.2,nan,1e-3,nan,0'])
+    write(folder, 'references.csv',
+          ['scene,uncertainty,position_uncertainty'] +
+          [f'{name},1e-12,1e-13' for name in ('contact', 'collision_eta0', 'collision_eta1',
+                                               'collision_eta100', 'absorbing_wall')])
+    lines = ['eta_of_1099_points,points,scatter,difference,difference_error,time']
+    for eta in (0, 100):
+        lines += [f'{eta},100,0.01,0.02,0.001,0.001', f'{eta},1000,nan,nan,nan,0.1']
+    write(folder, 'discretisation.csv', lines)
+
+
 def plot(figure, folder):
     return subprocess.run([sys.executable, str(PROGRAM), figure, str(folder)],
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -73,6 +94,14 @@ class PlotFiguresTest(unittest.TestCase):
                  'figure4', 'figure6']
         self.assertEqual(sorted(self.pictures()),
                          sorted(name + end for name in names for end in ('.png', '.svg')))
+
+    def test_work_precision_is_made_of_data_with_gaps(self):
+        write_precision(self.folder)
+        done = plot('work_precision', self.folder)
+        self.assertEqual((done.returncode, done.stdout), (0, ''))
+        names = ['discretisation'] + [file.stem for file in self.folder.glob('work_*.csv')]
+        self.assertEqual(set(self.pictures()),
+                         {name + end for name in names for end in ('.png', '.svg')})
 
     def test_one_figure_needs_only_its_own_data_and_is_the_same_again(self):
         write_figure2(self.folder)
