@@ -16,7 +16,8 @@ namespace impact {
 ///
 /// Collision: step doubling in the wider sense. The answer is the velocity v′ of the centre of mass
 /// after the impact; two runs with steps h and r h, r ≥ 1.3, and a method of order p give the
-/// estimate 2 |v′(h) − v′(rh)|/((r^p − 1) |v′(h)|), with a margin of 2. For an adaptive integrator
+/// estimate 2 |v′(h) − v′(rh)|/((r^p − 1) |v′(h)|), with a margin of 2. Where damping is stiff
+/// (γ h > 1) the extrapolated method counts with p = 3. For an adaptive integrator
 /// the two tolerances differ by 1.3⁴ at least and the difference itself is the estimate. ε/100 is
 /// added for the wall's tail, in which the motion begins and ends. A run whose step was reduced on
 /// the way counts with its shortest step, and only serves as the coarser of two. Where the lattice
@@ -31,7 +32,7 @@ namespace impact {
 /// its error is not known.
 class ErrorControl {
  public:
-  ErrorControl(const Scene& scene, const Composition& composition);
+  ErrorControl(Scene scene, const Composition& composition);
 
   /// How the next run is to be made.
   const Resolution& resolution() const { return resolution_; }
@@ -61,7 +62,6 @@ class ErrorControl {
   bool accepts_impact(const Run& run);
   bool accepts_contact(const Run& run);
   void refine(double wanted_factor);
-  double most_refined(double wanted_factor) const;
   [[noreturn]] void give_up(const std::string& cause) const;
 
   Scene scene_;

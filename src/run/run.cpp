@@ -36,7 +36,6 @@ bool hops_matter(const Scene& scene, const Simulation& simulation) {
 
 Run::Run(const Scene& scene, Composition composition)
     : scene_(scene),
-      integrator_(composition.resolution.integrator),
       expected_time_(composition.expected_time),
       end_(end_of_run(scene, composition)),
       lattice_(std::move(composition.lattice)),
@@ -46,7 +45,8 @@ Run::Run(const Scene& scene, Composition composition)
                   composition.rates.lattice, composition.resolution.step,
                   make_integrator(scene, composition.resolution, composition.rates.sound_speed)),
       monitor_(simulation_.ledger()),
-      recorder_(simulation_, contact_force(scene)) {
+      recorder_(simulation_, contact_force(scene)),
+      integrator_(composition.resolution.integrator) {
   if (wall_lattice_) wall_triangles_.emplace(*wall_lattice_);
   if (scene.kind == SceneKind::kCollision) {
     const double v = scene.impact.velocity;

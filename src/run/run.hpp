@@ -79,7 +79,6 @@ class Run {
   void finish();
 
   Scene scene_;
-  IntegratorKind integrator_;
   double expected_time_;
   std::unique_ptr<EndOfRun> end_;
   Lattice lattice_;
@@ -90,9 +89,10 @@ class Run {
   EnergyMonitor monitor_;
   ContactRecorder recorder_;
   double restitution_bound_ = 0.0;
+  std::vector<std::string> flags_;
+  IntegratorKind integrator_;
   bool finished_ = false;
   bool folded_ = false;
-  std::vector<std::string> flags_;
 };
 
 }  // namespace impact
