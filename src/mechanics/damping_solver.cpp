@@ -26,8 +26,14 @@ DampingSolver::Factor::Factor(const Eigen::SparseMatrix<double>& matrix) {
 
 DampingSolver::DampingSolver(const ForceField& field, double scale) {
   const auto matrix = [&](int axis) {
-    Eigen::SparseMatrix<double> sum = (scale / field.point_mass) * field.damping(axis);
-    for (Eigen::Index i = 0; i < sum.rows(); ++i) sum.coeffRef(i, i) += 1.0;
+    std::vector<Eigen::Triplet<double>> entries;
+    for (const Eigen::Triplet<double>& entry : field.damping(axis)) {
+      entries.emplace_back(entry.row(), entry.col(), scale / field.point_mass * entry.value());
+    }
+    const auto points = static_cast<std::int32_t>(field.bonds.points());
+    for (std::int32_t i = 0; i < points; ++i) entries.emplace_back(i, i, 1.0);
+    Eigen::SparseMatrix<double> sum(points, points);
+    sum.setFromTriplets(entries.begin(), entries.end());
     return sum;
   };
   factors_.emplace_back(matrix(0));

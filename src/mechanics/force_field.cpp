@@ -1,5 +1,7 @@
 #include "mechanics/force_field.hpp"
 
+#include <algorithm>
+
 namespace impact {
 namespace {
 
@@ -52,23 +54,24 @@ void ForceField::evaluate_undamped(const PointArray& position, PointArray& force
   constrain(*this, force);
 }
 
-Eigen::SparseMatrix<double> ForceField::damping(int axis) const {
+std::vector<Eigen::Triplet<double>> ForceField::damping(int axis) const {
   std::vector<Eigen::Triplet<double>> entries = bonds.damping();
   if (viscous_boundary) {
     for (const ViscousBoundary::Dashpot& dashpot : viscous_boundary->dashpots()) {
       entries.emplace_back(dashpot.point, dashpot.point, dashpot.coefficient(axis));
     }
   }
-  Eigen::SparseMatrix<double> matrix(bonds.points(), bonds.points());
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  if (!supports) return matrix;
+  if (!supports) return entries;
   std::vector<bool> held(static_cast<std::size_t>(bonds.points()), false);
-  for (const std::int32_t point : supports->held(axis))
+  for (const std::int32_t point : supports->held(axis)) {
     held[static_cast<std::size_t>(point)] = true;
-  matrix.prune([&](Eigen::Index row, Eigen::Index column, double) {
-    return !held[static_cast<std::size_t>(row)] && !held[static_cast<std::size_t>(column)];
-  });
-  return matrix;
+  }
+  const auto is_held = [&](const Eigen::Triplet<double>& entry) {
+    return held[static_cast<std::size_t>(entry.row())] ||
+           held[static_cast<std::size_t>(entry.col())];
+  };
+  entries.erase(std::remove_if(entries.begin(), entries.end(), is_held), entries.end());
+  return entries;
 }
 
 std::vector<Eigen::Triplet<double>> ForceField::stiffness(const PointArray& position) const {

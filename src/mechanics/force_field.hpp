@@ -46,9 +46,10 @@ struct ForceField {
   /// The same without damping: the force on points at rest.
   void evaluate_undamped(const PointArray& position, PointArray& force);
 
-  /// The matrix D of the damping forces −D v along one axis (0: x, 1: y), in M c/R: those of the
-  /// bonds and of a viscous boundary. Rows and columns of supported coordinates are empty.
-  Eigen::SparseMatrix<double> damping(int axis) const;
+  /// The entries of the matrix D of the damping forces −D v along one axis (0: x, 1: y), in M c/R:
+  /// those of the bonds and of a viscous boundary, those of one place to be added up. Rows and
+  /// columns of supported coordinates are empty.
+  std::vector<Eigen::Triplet<double>> damping(int axis) const;
 
   /// The entries of the tangent stiffness matrix −∂F/∂r (M c²/R²) of the bonds and of a potential
   /// wall, those of one place to be added up; row and column i stand for x of point i, N + i for

@@ -6,12 +6,8 @@ ReducedSystem::ReducedSystem(const ForceField& field) : point_mass_(field.point_
   const auto points = static_cast<std::int32_t>(field.bonds.points());
   std::vector<Eigen::Triplet<double>> entries;
   for (const int axis : {0, 1}) {
-    const Matrix along = field.damping(axis);
-    for (std::int32_t column = 0; column < points; ++column) {
-      for (Matrix::InnerIterator entry(along, column); entry; ++entry) {
-        entries.emplace_back(axis * points + static_cast<std::int32_t>(entry.row()),
-                             axis * points + column, entry.value());
-      }
+    for (const Eigen::Triplet<double>& entry : field.damping(axis)) {
+      entries.emplace_back(axis * points + entry.row(), axis * points + entry.col(), entry.value());
     }
   }
   const Eigen::Index coordinates = 2 * field.bonds.points();
