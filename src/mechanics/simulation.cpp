@@ -7,9 +7,7 @@
 namespace impact {
 namespace {
 
-/// Times the stiffness of the wall: for what the force may grow beyond the forecast. Against an
-/// elastic wall both ends move, which doubles the square of the frequency.
-constexpr double kWallMargin = 1.5;
+/// Against an elastic wall, which doubles the square of the frequency.
 constexpr double kBothEndsMove = 2.0;
 
 }  // namespace

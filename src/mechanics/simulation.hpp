@@ -23,6 +23,9 @@ namespace impact {
 /// interval.
 class Simulation {
  public:
+  /// Times the stiffness of the wall: for what the force may grow beyond the forecast.
+  static constexpr double kWallMargin = 1.5;
+
   /// `step` in R/c. It must be stable for the spectrum, see Integrator::step_limit(), and divide
   /// the interval of a velocity reset. An integrator that chooses steps by itself goes from one
   /// multiple of `step` to the next.

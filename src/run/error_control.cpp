@@ -14,10 +14,10 @@ namespace impact {
 namespace {
 
 constexpr double kLeastRefinement = 1.3;
-constexpr double kMostRefinement = 10.0;  // at once
+constexpr double kMostRefinement = 5.0;  // at once
 constexpr double kMargin = 2.0;
 constexpr double kTail = 0.01;  // of numerics.error
-constexpr double kMostSteps = 5e6;
+constexpr double kMostSteps = 3e5;
 constexpr double kLeastTolerance = 1e-14;
 /// Refinements that may leave the estimate as it is before the cause is taken to be another one.
 constexpr int kMostStagnations = 2;
@@ -44,7 +44,8 @@ ErrorControl::ErrorControl(Scene scene, const Composition& composition)
     : scene_(std::move(scene)),
       rates_(composition.rates),
       expected_time_(composition.expected_time),
-      resolution_(composition.resolution) {}
+      resolution_(composition.resolution),
+      most_steps_(std::max(kMostSteps, kMostRefinement * expected_time_ / resolution_.step)) {}
 
 bool ErrorControl::accepts(const Run& run) {
   switch (scene_.kind) {
@@ -157,9 +158,9 @@ void ErrorControl::refine(double wanted_factor) {
     if (resolution_.tolerance < kLeastTolerance) {
       give_up(fmt::format("a tolerance below {:g} would be needed", kLeastTolerance));
     }
-  } else if (expected_time_ / resolution_.step > kMostSteps) {
-    give_up(fmt::format("a step of {:.2g} R/c, more than {:g} steps, would be needed",
-                        resolution_.step, kMostSteps));
+  } else if (expected_time_ / resolution_.step > most_steps_) {
+    give_up(fmt::format("a step of {:.2g} R/c, more than {:.2g} steps, would be needed",
+                        resolution_.step, most_steps_));
   }
 }
 

@@ -68,6 +68,7 @@ class ErrorControl {
   Rates rates_;
   double expected_time_;
   Resolution resolution_;
+  double most_steps_;
   std::optional<Answer> last_;
   double estimated_error_ = std::numeric_limits<double>::quiet_NaN();
   double last_estimate_ = std::numeric_limits<double>::infinity();

@@ -10,6 +10,7 @@
 #include "mechanics/blanes_moan.hpp"
 #include "mechanics/extrapolated_damping.hpp"
 #include "mechanics/implicit_damping.hpp"
+#include "mechanics/simulation.hpp"
 #include "mechanics/velocity_verlet.hpp"
 #include "run/rk8pd_offer.hpp"
 #include "scene/scene_parameters.hpp"
@@ -28,9 +29,16 @@ constexpr double kRestTolerance = 1e-3;
 /// for v = 0.01 … 0.05 c: 1.3 … 2.1 · 10⁻⁴.
 constexpr double kSecondOrderError = 2e-4;
 
-/// The coarser of the two runs that are compared has steps longer by a factor in this range.
-constexpr double kLeastCoarser = 1.3;
-constexpr double kCoarser = 1.6;
+/// The coarser of the two runs that are compared has steps longer by this factor.
+constexpr double kCoarser = 1.31;
+
+/// Steps are multiples of this, R/c, or whole parts of it; of methods whose longest step is longer
+/// than it, whole parts of twice as much.
+constexpr double kUnit = 0.02;
+
+double unit_of(IntegratorKind integrator) {
+  return order_of(integrator) == 2 ? kUnit : 2.0 * kUnit;
+}
 
 /// Two points that push each other apart move against each other like one of half the mass.
 constexpr double kBothEndsMove = 2.0;
@@ -45,10 +53,22 @@ double dividing_resets(const Scene& scene, double step) {
   return scene.wall.reset_interval / std::ceil(scene.wall.reset_interval / step - kRounding);
 }
 
-double longest_step(IntegratorKind integrator, const Rates& rates) {
-  const double omega_squared = rates.lattice.omega_squared + rates.wall;
-  const double limit = step_limit(integrator, omega_squared, rates.lattice.gamma);
-  return std::min(kStabilityFactor * limit, kLongestStep);
+/// With the wall as stiff as Simulation forecasts it at the start of a step.
+double longest_step(const Scene& scene, IntegratorKind integrator, const Rates& rates) {
+  constexpr int kHalvings = 30;
+  const double approach = scene.kind == SceneKind::kCollision ? scene.impact.velocity : 0.0;
+  const auto is_stable = [&](double step) {
+    const double wall =
+        Simulation::kWallMargin * rates.wall * std::exp(scene.wall.a * approach * step);
+    return step <= kStabilityFactor * step_limit(integrator, rates.lattice.omega_squared + wall,
+                                                 rates.lattice.gamma);
+  };
+  double stable = 0.0;
+  double step = kLongestStep;
+  for (double half = 0.5 * step; half > step * std::ldexp(1.0, -kHalvings); half *= 0.5) {
+    if (is_stable(stable + half)) stable += half;
+  }
+  return stable;
 }
 
 /// Time of a step, in force evaluations.
@@ -68,20 +88,20 @@ double cost_of_step(IntegratorKind integrator) {
 
 /// The step that is likely to be needed.
 double expected_step(const Scene& scene, IntegratorKind integrator, const Rates& rates) {
-  const double longest = longest_step(integrator, rates);
-  if (scene.kind != SceneKind::kCollision) return round_step_down(longest);
-  double step = longest / kLeastCoarser;
+  const double longest = longest_step(scene, integrator, rates);
+  if (scene.kind != SceneKind::kCollision) return round_step_down(longest, kUnit);
+  double step = longest / kCoarser;
   if (order_of(integrator) == 2) {
     step = std::min(step, std::sqrt(0.5 * scene.numerics.error / kSecondOrderError) /
                               (scene.wall.a * scene.impact.velocity));
   }
-  return round_step_down(step);
+  return round_step_down(step, unit_of(integrator));
 }
 
 Resolution fixed_resolution(const Scene& scene, IntegratorKind integrator, const Rates& rates) {
   const double expected = expected_step(scene, integrator, rates);
   const double first = scene.kind == SceneKind::kCollision
-                           ? std::min(kCoarser * expected, longest_step(integrator, rates))
+                           ? std::min(kCoarser * expected, longest_step(scene, integrator, rates))
                            : expected;
   return {integrator, dividing_resets(scene, first), 0.0};
 }
@@ -215,17 +235,17 @@ Resolution finer(const Scene& scene, const Resolution& resolution, double factor
   if (is_adaptive(resolution.integrator)) {
     next.tolerance /= std::pow(factor, 4);
   } else {
-    next.step = dividing_resets(scene, round_step_down(resolution.step / factor));
+    next.step = dividing_resets(
+        scene, round_step_down(resolution.step / factor, unit_of(resolution.integrator)));
   }
   return next;
 }
 
-double round_step_down(double value) {
-  constexpr double kUnit = 0.02;  // R/c
+double round_step_down(double value, double unit) {
   constexpr double kRounding = 1e-9;
   const double units = value / kUnit;
-  return units >= 1.0 - kRounding ? kUnit * std::floor(units + kRounding)
-                                  : kUnit / std::ceil(1.0 / units - kRounding);
+  return value >= unit * (1.0 - kRounding) ? kUnit * std::floor(units + kRounding)
+                                           : unit / std::ceil(unit / value - kRounding);
 }
 
 std::unique_ptr<Integrator> make_integrator(const Scene& scene, const Resolution& resolution,

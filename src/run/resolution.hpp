@@ -54,7 +54,7 @@ int order_of(IntegratorKind integrator);
 /// stiffest counted, and 0.1 R/c at most. It is a multiple or a whole part of 0.02 R/c, so that the
 /// usual output periods are multiples of it.
 ///
-/// `step: auto` begins with a step up to 1.6 times longer, to compare with.
+/// `step: auto` begins with a step 1.31 times longer, to compare with.
 ///
 /// Where velocities are reset at intervals, the step, given or not, is shortened to divide them.
 /// @throw InputError when a given step exceeds the stability limit of the lattice and its damping.
@@ -69,8 +69,9 @@ std::optional<Resolution> better_integrator(const Scene& scene, const Resolution
 /// its tolerance smaller by `factor` to the power of 4.
 Resolution finer(const Scene& scene, const Resolution& resolution, double factor);
 
-/// The longest step not above `value` (R/c) that is a multiple or a whole part of 0.02 R/c.
-double round_step_down(double value);
+/// The longest step not above `value` (R/c) that is a multiple of 0.02 R/c, at least `unit`, or a
+/// whole part of `unit`.
+double round_step_down(double value, double unit);
 
 /// Makes the integrator of a resolution.
 /// @throw InputError for rk8pd in a program that does not offer it, see offer_rk8pd().
