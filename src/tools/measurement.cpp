@@ -90,6 +90,10 @@ void Measurement::run(double longest) {
   wall_times_.push_back(std::chrono::duration<double>(Clock::now() - wall_start).count());
 }
 
+bool Measurement::is_verified() const {
+  return until_ == Until::kAnswer && !scene_.numerics.step && !scene_.numerics.tolerance;
+}
+
 double Measurement::spent() const { return std::accumulate(times_.begin(), times_.end(), 0.0); }
 
 double Measurement::median_time() const { return median(times_); }

@@ -40,6 +40,8 @@ class Measurement {
   const Scene& scene() const { return scene_; }
   Until until() const { return until_; }
   const Outcome& outcome() const { return outcome_; }
+  /// Whether its error control sees to the answer: no step or tolerance is given.
+  bool is_verified() const;
   bool has_answer() const { return outcome_.answer == outcome_.answer; }
   double spent() const;             ///< s, in all runs together
   double median_time() const;       ///< s
@@ -57,8 +59,8 @@ class Measurement {
 /// How much is measured.
 struct Effort {
   int rounds = 5;         ///< of interleaved repeats
-  double longest = 8.0;   ///< s, of one answer
-  double most = 4.0;      ///< s: what has taken as long, repeats included, is not repeated again
+  double longest = 5.0;   ///< s, of one answer
+  double most = 2.0;      ///< s: what has taken as long, repeats included, is not repeated again
   int first_power = 2;    ///< the errors asked for: 10^-first_power …
   int last_power = 10;    ///< … 10^-last_power
   double finer = 1.4143;  ///< quotient of successive steps

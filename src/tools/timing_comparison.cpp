@@ -94,12 +94,8 @@ std::vector<Measurement> measurements_of(const Scene& scene, const Comparison& c
   return list;
 }
 
-bool is_verified(const Measurement& one) {
-  return !one.scene().numerics.step && !one.scene().numerics.tolerance;
-}
-
 std::string name_of(const Measurement& one) {
-  return fmt::format("{} {}", is_verified(one) ? "verified" : "bare",
+  return fmt::format("{} {}", one.is_verified() ? "verified" : "bare",
                      impact::name_of(one.scene().numerics.integrator));
 }
 
