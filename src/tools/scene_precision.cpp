@@ -198,20 +198,21 @@ class ScenePrecision {
     return moves_ ? one.until() == Until::kTime
                   : one.scene().numerics.integrator != IntegratorKind::kAuto;
   }
-  /// False when it took too long, in which case it does not count.
-  bool add(Measurement one) {
+  /// False when it took longer than this (s), in which case it does not count.
+  bool add(Measurement one, double longest) {
     throw_if_interrupted();
-    one.run(effort_.longest);
-    const bool in_time = one.has_answer() || one.spent() < effort_.longest;
+    one.run(longest);
+    const bool in_time = one.has_answer() || one.spent() < longest;
     if (in_time) all_.push_back(std::move(one));
     return in_time;
   }
 
   bool verify(IntegratorKind integrator, double error) {
+    const double runs = moves_ ? 3.0 : 1.0;  // that error control may need
     Scene scene = scene_.scene;
     scene.numerics.integrator = integrator;
     scene.numerics.error = error;
-    return add({scene, Until::kAnswer});
+    return add({scene, Until::kAnswer}, runs * effort_.longest);
   }
 
   using Curve = std::vector<Measurement>;  // of one integrator, from coarse to fine
@@ -294,7 +295,7 @@ void ScenePrecision::answer(const std::vector<Curve>& curves, double error) {
       Scene scene = (*curve)[k].scene();
       scene.numerics.error = error;
       scene.output.period = kNoOutput;
-      add({scene, Until::kAnswer});
+      add({scene, Until::kAnswer}, effort_.longest);
     }
     verify((*curve)[coarsest].scene().numerics.integrator, error);
   }
