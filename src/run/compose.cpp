@@ -113,6 +113,17 @@ struct Bodies {
   Lattice all() const { return wall ? joined(disk, wall->lattice) : disk; }
 };
 
+/// Where velocities are reset, the disk reaches the height 0 at a reset, so that what it meets
+/// there does not depend on where it starts.
+double automatic_gap(const Scene& scene, const PointArray& reference, const PotentialWall& wall) {
+  const double v = scene.impact.velocity;
+  const double gap =
+      wall.height_of_energy(reference, negligible_wall_energy(scene)) + kApproach * v;
+  if (scene.wall.kind != WallKind::kLattice || scene.wall.boundary != Boundary::kReset) return gap;
+  const double way = v * scene.wall.reset_interval;
+  return way * std::ceil(gap / way);
+}
+
 /// The disk above the wall, which is at rest with its surface at y = 0. `all`: the disk's reference
 /// points and, after them, the wall's.
 State initial_state(const Scene& scene, const PointArray& reference, const PointArray& all,
@@ -125,9 +136,7 @@ State initial_state(const Scene& scene, const PointArray& reference, const Point
   if (scene.kind == SceneKind::kContact) {
     lowest = wall.gap_of_force(scene.load.p);
   } else {
-    lowest = scene.impact.gap ? *scene.impact.gap
-                              : wall.height_of_energy(reference, negligible_wall_energy(scene)) +
-                                    kApproach * scene.impact.velocity;
+    lowest = scene.impact.gap.value_or(automatic_gap(scene, reference, wall));
     state.velocity.col(1).head(points) = -scene.impact.velocity;
   }
   state.position.col(1).head(points) += lowest - reference.col(1).minCoeff();

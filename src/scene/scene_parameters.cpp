@@ -155,12 +155,14 @@ Table task_keys() {
                                               "impact.velocity", "c", {0.0, 1.0, false},
                                               "collision: speed towards the wall at the start",
                                               [](auto& s) -> auto& { return s.impact.velocity; })),
-          only(in(SceneKind::kCollision), real_or_auto<Scene>(
-                                              "impact.gap", "R", {-1.0, 100.0},
-                                              "collision: height of the lowest point at the start; "
-                                              "auto: half an R/c before the wall's "
-                                              "energy is error/100 of the kinetic energy",
-                                              [](auto& s) -> auto& { return s.impact.gap; })),
+          only(in(SceneKind::kCollision),
+               real_or_auto<Scene>(
+                   "impact.gap", "R", {-1.0, 100.0},
+                   "collision: height of the lowest point at the start; "
+                   "auto: half an R/c before the wall's "
+                   "energy is error/100 of the kinetic energy, and a whole number of resets before "
+                   "height 0",
+                   [](auto& s) -> auto& { return s.impact.gap; })),
           only(in(SceneKind::kStretch),
                real<Scene>(
                    "stretch.width", "R", {0.1, 1000.0}, "stretch: of the rectangle",

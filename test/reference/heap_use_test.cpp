@@ -150,9 +150,9 @@ TEST(HeapUse, OfSolutionsIsNone) {
 }
 
 TEST(HeapUse, OfStepsOfRk8pdIsNone) {
-  EXPECT_EQ(allocations_of_steps(on_potential_wall(0.1),
-                                 std::make_unique<Rk8pd>(1e-8, Scales{1.0, 1.0})),
-            0U);
+  EXPECT_EQ(
+      allocations_of_steps(on_potential_wall(0.1), std::make_unique<Rk8pd>(1e-8, Scales{1.0, 1.0})),
+      0U);
 }
 
 }  // namespace
