@@ -39,11 +39,6 @@ void draw_elastic_wall(Draw& draw, Scene& scene) {
   scene.wall.gap = draw.coin() ? GapMeasure::kNormal : GapMeasure::kVertical;
 }
 
-double answer_of(const Experiment& experiment) {
-  return experiment.scene().kind == SceneKind::kContact ? experiment.strain().strain()
-                                                        : experiment.restitution().restitution;
-}
-
 Experiment performed(const Scene& scene) {
   Experiment experiment(scene);
   while (!experiment.finished()) experiment.advance();
@@ -78,22 +73,22 @@ ReferenceAnswer compared(double value, double other) {
 ReferenceAnswer contact_reference(const Scene& scene) {
   Scene in_motion = with(scene, IntegratorKind::kImplicitDamping);
   in_motion.material.eta = scene.disk.recipe.points;
-  return compared(answer_of(performed(with(scene, IntegratorKind::kNewton))),
-                  answer_of(performed(in_motion)));
+  return compared(performed(with(scene, IntegratorKind::kNewton)).answer(),
+                  performed(in_motion).answer());
 }
 
 ReferenceAnswer impact_reference(const Scene& scene) {
   constexpr double kFineStep = 2e-3;
   if (scene.wall.kind == WallKind::kLattice) {
-    return compared(answer_of(performed(with_tolerance(scene, 1e-10))),
-                    answer_of(performed(with_step(scene, kFineStep))));
+    return compared(performed(with_tolerance(scene, 1e-10)).answer(),
+                    performed(with_step(scene, kFineStep)).answer());
   }
   const Experiment automatic = performed(with(scene, IntegratorKind::kAuto));
   if (scene.material.eta <= kStiffDamping) {
-    return compared(answer_of(performed(with_tolerance(scene, 1e-12))), answer_of(automatic));
+    return compared(performed(with_tolerance(scene, 1e-12)).answer(), automatic.answer());
   }
   const double half_step = 0.5 * automatic.run().simulation().step_size();
-  return compared(answer_of(performed(with_step(scene, half_step))), answer_of(automatic));
+  return compared(performed(with_step(scene, half_step)).answer(), automatic.answer());
 }
 
 }  // namespace
@@ -143,7 +138,7 @@ AccuracyTrial try_accuracy(Scene scene, double error, const ReferenceAnswer& ref
     const Experiment experiment = performed(scene);
     trial.integrator = name_of(experiment.run().integrator());
     trial.step = experiment.run().simulation().step_size();
-    trial.answer = answer_of(experiment);
+    trial.answer = experiment.answer();
     trial.estimated_error = experiment.estimated_error();
     trial.true_error = std::abs(trial.answer / reference.value - 1.0);
     trial.wall_time = experiment.wall_time();

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -152,9 +151,11 @@ void Experiment::take_in() {
 }
 
 Restitution Experiment::restitution() const {
-  const auto& flags = run_->flags();
-  const bool separated = std::find(flags.begin(), flags.end(), "not_separated") == flags.end();
-  return analysis_.restitution(separated);
+  return analysis_.restitution(!run_->has_flag("not_separated"));
+}
+
+double Experiment::answer() const {
+  return scene_.kind == SceneKind::kContact ? strain().strain() : restitution().restitution;
 }
 
 ElasticConstants Experiment::elastic_constants() const {

@@ -39,6 +39,8 @@ class Experiment {
   double estimated_error() const { return control_.estimated_error(); }
   Restitution restitution() const;
   Strain strain() const { return strain_meter_.measure(run_->disk_state().position); }
+  /// What numerics.error is about: ξ of a contact, e of a collision.
+  double answer() const;
   /// E and ν of a stretched rectangle, in the middle of it: half its width and half its height.
   /// @throw RunFailure when too few points lie there.
   ElasticConstants elastic_constants() const;

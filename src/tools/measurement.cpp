@@ -53,8 +53,7 @@ Outcome run_to_answer(const Scene& scene, const Stop& stop) {
   Outcome outcome;
   take_run(experiment.run(), outcome);
   outcome.estimated_error = experiment.estimated_error();
-  outcome.answer = scene.kind == SceneKind::kContact ? experiment.strain().strain()
-                                                     : experiment.restitution().restitution;
+  outcome.answer = experiment.answer();
   return outcome;
 }
 
