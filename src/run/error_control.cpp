@@ -23,8 +23,6 @@ constexpr double kLeastTolerance = 1e-14;
 constexpr int kMostStagnations = 2;
 constexpr double kStagnation = 0.7;
 
-bool is_given(const Scene& scene) { return scene.numerics.step || scene.numerics.tolerance; }
-
 /// The order by which errors are expected to fall. Stiff damping takes half of it from
 /// extrapolation (order reduction): 3 … 4 were seen.
 int expected_order(const Resolution& resolution, const Rates& rates) {
@@ -50,7 +48,7 @@ ErrorControl::ErrorControl(Scene scene, const Composition& composition)
 bool ErrorControl::accepts(const Run& run) {
   switch (scene_.kind) {
     case SceneKind::kCollision:
-      return is_given(scene_) || accepts_impact(run);
+      return scene_.numerics.are_given() || accepts_impact(run);
     case SceneKind::kContact:
       return accepts_contact(run);
     default:
@@ -60,7 +58,7 @@ bool ErrorControl::accepts(const Run& run) {
 
 void ErrorControl::find_resolution(const Composition& composition,
                                    const std::function<bool()>& stop) {
-  if (scene_.kind != SceneKind::kCollision || is_given(scene_)) return;
+  if (scene_.kind != SceneKind::kCollision || scene_.numerics.are_given()) return;
   for (bool accepted = false; !accepted && !stop();) {
     Composition at_resolution = composition;
     at_resolution.resolution = resolution_;
@@ -129,7 +127,7 @@ bool ErrorControl::accepts_contact(const Run& run) {
   const double corrected =
       meter.measure(position + equilibrium_correction(run.simulation().field(), position)).strain();
   estimated_error_ = std::abs(corrected - strain) / std::abs(corrected);
-  if (is_given(scene_)) return true;
+  if (scene_.numerics.are_given()) return true;
   if (run.has_flag("not_at_rest")) give_up("no state of rest was found");
   if (estimated_error_ > scene_.numerics.error) {
     give_up(
@@ -140,7 +138,7 @@ bool ErrorControl::accepts_contact(const Run& run) {
 }
 
 void ErrorControl::take_failure(const RunFailure& failure) {
-  if (scene_.kind != SceneKind::kCollision || is_given(scene_)) throw failure;
+  if (scene_.kind != SceneKind::kCollision || scene_.numerics.are_given()) throw failure;
   if (++stagnations_ > 2 * kMostStagnations) throw failure;
   last_.reset();
   refine(2.0);

@@ -142,8 +142,9 @@ void Run::note_folds() {
 void Run::finish() {
   finished_ = true;
   look();
-  const bool given = scene_.numerics.step || scene_.numerics.tolerance;
-  if (given && monitor_.error() > scene_.numerics.error) flags_.emplace_back("energy_error");
+  if (scene_.numerics.are_given() && monitor_.error() > scene_.numerics.error) {
+    flags_.emplace_back("energy_error");
+  }
   if (folded_) flags_.emplace_back("folded");
   if (hops_matter(scene_, simulation_)) flags_.emplace_back("hops");
   if (simulation_.halvings() > 0) flags_.emplace_back("step_reduced");

@@ -96,6 +96,9 @@ struct Scene {
     std::optional<double> step;       ///< empty: by `error`
     std::optional<double> tolerance;  ///< of adaptive integrators; empty: by `error`
     double error = 1.0e-4;
+
+    /// Whether step or tolerance are given: then no error control sees to the answer.
+    bool are_given() const { return step || tolerance; }
   } numerics;
 
   struct Output {

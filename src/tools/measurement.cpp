@@ -90,7 +90,7 @@ void Measurement::run(double longest) {
 }
 
 bool Measurement::is_verified() const {
-  return until_ == Until::kAnswer && !scene_.numerics.step && !scene_.numerics.tolerance;
+  return until_ == Until::kAnswer && !scene_.numerics.are_given();
 }
 
 double Measurement::spent() const { return std::accumulate(times_.begin(), times_.end(), 0.0); }
