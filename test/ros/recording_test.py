@@ -4,12 +4,14 @@
 import os
 import tempfile
 import unittest
+import xmlrpc.client
 
+import rosgraph
 import rospy
 import rostest
 
-from programs import (IMPACT_RESULTS, PACKAGE, BagAnalysis, bag_messages, bits, impact, launch,
-                      random_namespace)
+from programs import (IMPACT_RESULTS, PACKAGE, BagAnalysis, Process, bag_messages, bits, impact,
+                      launch, poll_until, program, random_namespace)
 from results import Results
 
 SERIES = {'N': 60, 'eta': 10, 'velocity': [0.01, 0.02, 0.03, 0.05, 0.08], 'period': 0.1}
@@ -52,12 +54,25 @@ class RecordingTest(unittest.TestCase):
     def test_refused_run_does_not_show_an_earlier_one(self):
         with launch('collision.launch', ns=self.namespace, bag=self.bag, N='ten') as run:
             run.wait()
-            output = run.stdout()
-        # The launch may end with the refused node before the recorder was started.
-        if '/recorder-3]: started' in output:
-            self.assertIn('nothing was recorded', output)
-        self.assertNotIn('restitution:', output)
+            self.assertNotIn('restitution:', run.stdout())
         self.assertEqual(BagAnalysis(self.bag).exit_code, 0)
+
+    def test_recorder_of_nothing_keeps_an_earlier_bag(self):
+        with open(self.bag, 'rb') as file:
+            earlier = file.read()
+        files = os.listdir(self.folder.name)
+        name = self.namespace + '/idle_recorder'
+        with Process([program('record'), self.bag, 'silence', '__name:=idle_recorder'],
+                     {'ROS_NAMESPACE': self.namespace}) as recorder:
+            subscribers = lambda: dict(rosgraph.Master(name).getSystemState()[1])
+            poll_until(lambda: name in subscribers().get(self.namespace + '/silence', []), name)
+            address = rosgraph.Master(name).lookupNode(name)
+            xmlrpc.client.ServerProxy(address).shutdown(name, 'end of the test')
+            self.assertEqual(recorder.wait(), 1)
+            self.assertIn('nothing was recorded', recorder.stdout())
+        with open(self.bag, 'rb') as file:
+            self.assertEqual(file.read(), earlier)
+        self.assertEqual(os.listdir(self.folder.name), files)
 
     def test_scenes_follow_each_other_on_one_master(self):
         bag = os.path.join(self.folder.name, 'contact.bag')
