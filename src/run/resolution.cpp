@@ -64,9 +64,9 @@ double longest_step(const Scene& scene, IntegratorKind integrator, const Rates& 
                                                  rates.lattice.gamma);
   };
   double stable = 0.0;
-  double step = kLongestStep;
-  for (double half = 0.5 * step; half > step * std::ldexp(1.0, -kHalvings); half *= 0.5) {
-    if (is_stable(stable + half)) stable += half;
+  for (int k = 1; k < kHalvings; ++k) {
+    const double part = std::ldexp(kLongestStep, -k);
+    if (is_stable(stable + part)) stable += part;
   }
   return stable;
 }
