@@ -85,7 +85,8 @@ Lattice joined(const Lattice& first, const Lattice& second) {
 Lattice triangulated_lattice(const PointArray& points) {
   require_area(points);
   std::vector<Bond> bonds = delaunay_bonds(points);
-  const std::vector<std::int32_t> order = storage_order(points.rows(), bonds);
+  const std::vector<std::int32_t> order =
+      grouped_by_bonds(storage_order(points.rows(), bonds), bonds);
 
   PointArray ordered(points.rows(), 2);
   std::vector<std::int32_t> new_index(order.size());

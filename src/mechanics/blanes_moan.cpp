@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mechanics/add_scaled.hpp"
+
 namespace impact {
 namespace {
 
@@ -31,19 +33,18 @@ constexpr std::array<double, kDrifts + 1> kKick{kB1, kB2, kB3, kB4, kB5, kB6,
 
 void BlanesMoan::restart(ForceField& field, const State& state) {
   if (field.damped()) throw std::invalid_argument("BlanesMoan: forces depend on velocities");
-  acceleration_.resizeLike(state.position);
-  field.evaluate(state.position, state.velocity, acceleration_);
-  acceleration_ /= field.point_mass;
+  force_.resizeLike(state.position);
+  field.evaluate(state.position, state.velocity, force_);
 }
 
 Losses BlanesMoan::step(ForceField& field, State& state, double h) {
+  const double kick = h / field.point_mass;
   for (std::size_t i = 0; i < kDrifts; ++i) {
-    state.velocity += (kKick[i] * h) * acceleration_;
-    state.position += (kDrift[i] * h) * state.velocity;
-    field.evaluate(state.position, state.velocity, acceleration_);
-    acceleration_ /= field.point_mass;
+    add_scaled(kKick[i] * kick, force_, state.velocity);
+    add_scaled(kDrift[i] * h, state.velocity, state.position);
+    field.evaluate(state.position, state.velocity, force_);
   }
-  state.velocity += (kKick[kDrifts] * h) * acceleration_;
+  add_scaled(kKick[kDrifts] * kick, force_, state.velocity);
   return {};
 }
 

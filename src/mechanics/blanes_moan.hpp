@@ -26,7 +26,7 @@ class BlanesMoan : public Integrator {
   double step_limit(double omega_squared, double gamma) const override;
 
  private:
-  PointArray acceleration_;
+  PointArray force_;
 };
 
 }  // namespace impact

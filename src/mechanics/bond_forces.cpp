@@ -1,138 +1,156 @@
 #include "mechanics/bond_forces.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace impact {
 
-BondForces::BondForces(const Lattice& lattice, const BondLaw& law)
+namespace {
+
+Eigen::Index whole_slices(Eigen::Index points) { return (points + kSlice - 1) / kSlice; }
+
+}  // namespace
+
+BondForces::BondForces(const Lattice& lattice, const BondLaw& law, const Kernels& kernels)
     : law_(law),
-      begin_(static_cast<std::size_t>(lattice.points.rows()) + 1, 0),
-      kernel_(choose_kernel(law.k_b != 0.0, law.eta != 0.0)),
-      elastic_kernel_(choose_kernel(law.k_b != 0.0, false)) {
-  neighbours_.reserve(lattice.bonds.size());
-  for (std::size_t k = 0; k < lattice.bonds.size(); ++k) {
-    neighbours_.push_back({lattice.bonds[k].second, lattice.natural_lengths[k]});
-    ++begin_[static_cast<std::size_t>(lattice.bonds[k].first) + 1];
+      kernels_(&kernels),
+      table_(table_of(lattice)),
+      position_pairs_(static_cast<std::size_t>(2 * kSlice * table_->slices()), 0.0),
+      velocity_pairs_(damped() ? position_pairs_.size() : 0, 0.0) {}
+
+std::shared_ptr<const BondForces::Table> BondForces::table_of(const Lattice& lattice) {
+  const Eigen::Index points = lattice.points.rows();
+  std::vector<std::int32_t> bonds_of(static_cast<std::size_t>(kSlice * whole_slices(points)), 0);
+  for (const Bond& bond : lattice.bonds) {
+    ++bonds_of[static_cast<std::size_t>(bond.first)];
+    ++bonds_of[static_cast<std::size_t>(bond.second)];
   }
-  for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-}
+  auto table = std::make_shared<Table>();
+  table->points = points;
+  table->begin.push_back(0);
+  for (auto slice = bonds_of.begin(); slice != bonds_of.end(); slice += kSlice) {
+    table->begin.push_back(table->begin.back() + *std::max_element(slice, slice + kSlice));
+  }
 
-BondForces::Kernel BondForces::choose_kernel(bool cubic, bool damped) {
-  if (cubic) return damped ? &BondForces::add<true, true> : &BondForces::add<true, false>;
-  return damped ? &BondForces::add<false, true> : &BondForces::add<false, false>;
-}
-
-template <bool kCubic, bool kDamped>
-double BondForces::add(const PointArray& position, const PointArray& velocity,
-                       PointArray& force) const {
-  const Eigen::Index points = position.rows();
-  const double* const x = position.data();
-  const double* const y = x + points;
-  const double* const vx = velocity.data();
-  const double* const vy = vx + points;
-  double* const fx = force.data();
-  double* const fy = fx + points;
-  const double k_a = law_.k_a;
-  const double k_b = law_.k_b;
-  const double eta = law_.eta;
-
-  double relative_speed_squared = 0.0;
-  for (Eigen::Index i = 0; i < points; ++i) {
-    double fx_i = 0.0;
-    double fy_i = 0.0;
-    const std::int32_t end = begin_[static_cast<std::size_t>(i) + 1];
-    for (std::int32_t k = begin_[static_cast<std::size_t>(i)]; k < end; ++k) {
-      const Neighbour& neighbour = neighbours_[static_cast<std::size_t>(k)];
-      const std::int32_t j = neighbour.point;
-      const double dx = x[i] - x[j];
-      const double dy = y[i] - y[j];
-      const double length = std::sqrt(dx * dx + dy * dy);
-      const double elongation = length - neighbour.natural_length;
-      double stiffness = k_a;
-      if constexpr (kCubic) stiffness += k_b * elongation * elongation;
-      const double tension_by_length = stiffness * elongation / length;
-      double fx_bond = -tension_by_length * dx;
-      double fy_bond = -tension_by_length * dy;
-      if constexpr (kDamped) {
-        const double dvx = vx[i] - vx[j];
-        const double dvy = vy[i] - vy[j];
-        relative_speed_squared += dvx * dvx + dvy * dvy;
-        fx_bond -= eta * dvx;
-        fy_bond -= eta * dvy;
-      }
-      fx_i += fx_bond;
-      fy_i += fy_bond;
-      fx[j] -= fx_bond;
-      fy[j] -= fy_bond;
+  const std::size_t places = static_cast<std::size_t>(table->begin.back()) * kSlice;
+  table->end.resize(places);
+  table->natural_length.assign(places, 0.0);
+  for (std::size_t slice = 0; slice + 1 < table->begin.size(); ++slice) {
+    const auto row_of = [&](std::size_t s) { return static_cast<std::size_t>(table->begin[s]); };
+    for (std::size_t row = row_of(slice); row < row_of(slice + 1); ++row) {
+      const auto places_of_row = table->end.begin() + static_cast<std::ptrdiff_t>(row * kSlice);
+      std::iota(places_of_row, places_of_row + kSlice, static_cast<std::int32_t>(slice) * kSlice);
     }
-    fx[i] += fx_i;
-    fy[i] += fy_i;
   }
-  return eta * relative_speed_squared;
+  std::fill(bonds_of.begin(), bonds_of.end(), 0);
+  const auto enter = [&](std::int32_t point, std::int32_t other, double natural_length) {
+    const std::int32_t row = table->begin[static_cast<std::size_t>(point / kSlice)] +
+                             bonds_of[static_cast<std::size_t>(point)]++;
+    const auto place = static_cast<std::size_t>(row * kSlice + point % kSlice);
+    table->end[place] = other;
+    table->natural_length[place] = natural_length;
+  };
+  for (std::size_t k = 0; k < lattice.bonds.size(); ++k) {
+    const Bond& bond = lattice.bonds[k];
+    enter(bond.first, bond.second, lattice.natural_lengths[k]);
+    enter(bond.second, bond.first, lattice.natural_lengths[k]);
+  }
+  return table;
+}
+
+void BondForces::pair_up(const PointArray& points, Aligned<double>& pairs) const {
+  kernels_->pair_up(points.data(), points.data() + points.rows(), 0, points.rows(), pairs.data());
+}
+
+double BondForces::evaluate(BondKernel kernel, const PointArray& position,
+                            const double* velocity_pairs, PointArray& force) {
+  pair_up(position, position_pairs_);
+  const BondEvaluation evaluation{
+      {table_->begin.data(), table_->end.data(), table_->natural_length.data()},
+      law_.k_a,
+      law_.k_b,
+      law_.eta,
+      table_->points,
+      position_pairs_.data(),
+      velocity_pairs,
+      force.data()};
+  return kernel(evaluation, 0, table_->slices());
+}
+
+double BondForces::evaluate(const PointArray& position, const PointArray& velocity,
+                            PointArray& force) {
+  if (damped()) pair_up(velocity, velocity_pairs_);
+  const double relative_speed_squared =
+      evaluate(kernels_->bonds[law_.k_b != 0.0][damped()], position, velocity_pairs_.data(), force);
+  return 0.5 * law_.eta * relative_speed_squared;
+}
+
+void BondForces::evaluate_elastic(const PointArray& position, PointArray& force) {
+  evaluate(kernels_->bonds[law_.k_b != 0.0][false], position, nullptr, force);
+}
+
+template <class Use>
+void BondForces::for_each_bond(Eigen::Index first, Eigen::Index end, const Use& use) const {
+  for (Eigen::Index i = first; i < end; ++i) {
+    const auto slice = static_cast<std::size_t>(i / kSlice);
+    for (std::int32_t row = table_->begin[slice]; row < table_->begin[slice + 1]; ++row) {
+      const auto place = static_cast<std::size_t>(row * kSlice + i % kSlice);
+      const std::int32_t j = table_->end[place];
+      if (j > i) use(static_cast<std::int32_t>(i), j, table_->natural_length[place]);
+    }
+  }
 }
 
 double BondForces::potential_energy(const PointArray& position, Eigen::Index first,
                                     Eigen::Index end) const {
   double linear = 0.0;
   double cubic = 0.0;
-  for (Eigen::Index i = first; i < end; ++i) {
-    const auto place = static_cast<std::size_t>(i);
-    for (std::int32_t k = begin_[place]; k < begin_[place + 1]; ++k) {
-      const Neighbour& neighbour = neighbours_[static_cast<std::size_t>(k)];
-      const double length = (position.row(i) - position.row(neighbour.point)).matrix().norm();
-      const double squared = std::pow(length - neighbour.natural_length, 2);
-      linear += squared;
-      cubic += squared * squared;
-    }
-  }
+  for_each_bond(first, end, [&](std::int32_t i, std::int32_t j, double natural_length) {
+    const double length = (position.row(i) - position.row(j)).matrix().norm();
+    const double squared = std::pow(length - natural_length, 2);
+    linear += squared;
+    cubic += squared * squared;
+  });
   return law_.k_a * linear / 2.0 + law_.k_b * cubic / 4.0;
 }
 
 std::vector<Eigen::Triplet<double>> BondForces::stiffness(const PointArray& position) const {
   const auto points = static_cast<std::int32_t>(position.rows());
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(16 * neighbours_.size());
-  for (std::int32_t i = 0; i < points; ++i) {
-    const auto place = static_cast<std::size_t>(i);
-    for (std::int32_t k = begin_[place]; k < begin_[place + 1]; ++k) {
-      const Neighbour& neighbour = neighbours_[static_cast<std::size_t>(k)];
-      const std::int32_t j = neighbour.point;
-      const Eigen::Vector2d offset = (position.row(i) - position.row(j)).matrix().transpose();
-      const double length = offset.norm();
-      const Eigen::Vector2d normal = offset / length;
-      const double x = length - neighbour.natural_length;
-      const double along = law_.k_a + 3.0 * law_.k_b * x * x;
-      const double across = (law_.k_a * x + law_.k_b * x * x * x) / length;
-      const Eigen::Matrix2d projection = normal * normal.transpose();
-      const Eigen::Matrix2d block =
-          along * projection + across * (Eigen::Matrix2d::Identity() - projection);
-      for (int row = 0; row < 2; ++row) {
-        for (int column = 0; column < 2; ++column) {
-          const double value = block(row, column);
-          entries.emplace_back(row * points + i, column * points + i, value);
-          entries.emplace_back(row * points + j, column * points + j, value);
-          entries.emplace_back(row * points + i, column * points + j, -value);
-          entries.emplace_back(row * points + j, column * points + i, -value);
-        }
+  entries.reserve(8 * table_->end.size());
+  for_each_bond(0, points, [&](std::int32_t i, std::int32_t j, double natural_length) {
+    const Eigen::Vector2d offset = (position.row(i) - position.row(j)).matrix().transpose();
+    const double length = offset.norm();
+    const Eigen::Vector2d normal = offset / length;
+    const double x = length - natural_length;
+    const double along = law_.k_a + 3.0 * law_.k_b * x * x;
+    const double across = (law_.k_a * x + law_.k_b * x * x * x) / length;
+    const Eigen::Matrix2d projection = normal * normal.transpose();
+    const Eigen::Matrix2d block =
+        along * projection + across * (Eigen::Matrix2d::Identity() - projection);
+    for (int row = 0; row < 2; ++row) {
+      for (int column = 0; column < 2; ++column) {
+        const double value = block(row, column);
+        entries.emplace_back(row * points + i, column * points + i, value);
+        entries.emplace_back(row * points + j, column * points + j, value);
+        entries.emplace_back(row * points + i, column * points + j, -value);
+        entries.emplace_back(row * points + j, column * points + i, -value);
       }
     }
-  }
+  });
   return entries;
 }
 
 std::vector<Eigen::Triplet<double>> BondForces::damping() const {
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(4 * neighbours_.size());
-  for (std::size_t place = 0; place + 1 < begin_.size(); ++place) {
-    const auto i = static_cast<std::int32_t>(place);
-    for (std::int32_t k = begin_[place]; k < begin_[place + 1]; ++k) {
-      const std::int32_t j = neighbours_[static_cast<std::size_t>(k)].point;
-      entries.emplace_back(i, i, law_.eta);
-      entries.emplace_back(j, j, law_.eta);
-      entries.emplace_back(i, j, -law_.eta);
-      entries.emplace_back(j, i, -law_.eta);
-    }
-  }
+  entries.reserve(2 * table_->end.size());
+  for_each_bond(0, points(), [&](std::int32_t i, std::int32_t j, double) {
+    entries.emplace_back(i, i, law_.eta);
+    entries.emplace_back(j, j, law_.eta);
+    entries.emplace_back(i, j, -law_.eta);
+    entries.emplace_back(j, i, -law_.eta);
+  });
   return entries;
 }
 

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <boost/align/aligned_allocator.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "lattice/lattice.hpp"
+#include "mechanics/kernels.hpp"
 
 namespace impact {
 
@@ -21,28 +24,25 @@ struct BondLaw {
 /// The damping resists the whole relative velocity, not its part along the bond: linear momentum
 /// is conserved, but angular momentum is not when η > 0 (a spinning disk slows down).
 /// The loop over the bonds is instantiated for (k_b ≠ 0, η ≠ 0), so that a law without a cubic
-/// term or without damping does not evaluate it.
+/// term or without damping does not evaluate it, and for several instruction sets, see Kernels.
+/// Every bond is evaluated at each of its ends, which needs no scattered writing.
 class BondForces {
  public:
-  BondForces(const Lattice& lattice, const BondLaw& law);
+  BondForces(const Lattice& lattice, const BondLaw& law,
+             const Kernels& kernels = impact::kernels());
 
-  /// Adds the force on each point (M c²/R). Returns the power that the damping dissipates,
-  /// η Σ |v_i − v_j|² (M c³/R). Velocities are not read when the law has no damping.
-  double add_forces(const PointArray& position, const PointArray& velocity,
-                    PointArray& force) const {
-    return (this->*kernel_)(position, velocity, force);
-  }
+  /// Overwrites `force` (M c²/R) with the force on each point. Returns the power that the damping
+  /// dissipates, η Σ |v_i − v_j|² (M c³/R). Velocities are not read when the law has no damping.
+  double evaluate(const PointArray& position, const PointArray& velocity, PointArray& force);
 
   /// The same without damping.
-  void add_elastic_forces(const PointArray& position, PointArray& force) const {
-    (this->*elastic_kernel_)(position, position, force);
-  }
+  void evaluate_elastic(const PointArray& position, PointArray& force);
 
   /// The entries of the Laplacian matrix of the damping, η on the diagonal for each bond of a point
   /// and −η between its ends (M c/R), those of one place to be added up.
   std::vector<Eigen::Triplet<double>> damping() const;
 
-  Eigen::Index points() const { return static_cast<Eigen::Index>(begin_.size()) - 1; }
+  Eigen::Index points() const { return table_->points; }
 
   /// Σ k_a x²/2 + k_b x⁴/4, in M c².
   double potential_energy(const PointArray& position) const {
@@ -61,24 +61,32 @@ class BondForces {
   std::string name() const;
 
  private:
-  /// The second end of a bond and its natural length; the first end is the point whose list it
-  /// stands in.
-  struct Neighbour {
-    std::int32_t point;
-    double natural_length;
+  template <class Number>
+  using Aligned =
+      std::vector<Number, boost::alignment::aligned_allocator<Number, kSlice * sizeof(double)>>;
+
+  /// See BondRows. Shared by all copies, since it never changes.
+  struct Table {
+    Eigen::Index points;
+    std::vector<std::int32_t> begin;
+    Aligned<std::int32_t> end;
+    Aligned<double> natural_length;
+    Eigen::Index slices() const { return static_cast<Eigen::Index>(begin.size()) - 1; }
   };
+  static std::shared_ptr<const Table> table_of(const Lattice& lattice);
 
-  template <bool kCubic, bool kDamped>
-  double add(const PointArray& position, const PointArray& velocity, PointArray& force) const;
-
-  using Kernel = double (BondForces::*)(const PointArray&, const PointArray&, PointArray&) const;
-  static Kernel choose_kernel(bool cubic, bool damped);
+  /// Calls use(i, j, natural length) for the bonds whose first point lies in these rows.
+  template <class Use>
+  void for_each_bond(Eigen::Index first, Eigen::Index end, const Use& use) const;
+  double evaluate(BondKernel kernel, const PointArray& position, const double* velocity_pairs,
+                  PointArray& force);
+  void pair_up(const PointArray& points, Aligned<double>& pairs) const;
 
   BondLaw law_;
-  std::vector<std::int32_t> begin_;  ///< bonds of point i: neighbours_[begin_[i]] … [begin_[i + 1]]
-  std::vector<Neighbour> neighbours_;
-  Kernel kernel_;
-  Kernel elastic_kernel_;
+  const Kernels* kernels_;
+  std::shared_ptr<const Table> table_;
+  Aligned<double> position_pairs_;
+  Aligned<double> velocity_pairs_;  ///< empty without damping
 };
 
 }  // namespace impact

@@ -37,9 +37,8 @@ void uncouple(const Supports& supports, std::size_t points,
 Losses ForceField::evaluate(const PointArray& position, const PointArray& velocity,
                             PointArray& force) {
   ++evaluations;
-  force.setZero();
   Losses power;
-  power.dissipated = bonds.add_forces(position, velocity, force);
+  power.dissipated = bonds.evaluate(position, velocity, force);
   add_wall_and_load(*this, position, force);
   if (viscous_boundary) power.absorbed = viscous_boundary->add_forces(velocity, force);
   constrain(*this, force);
@@ -48,8 +47,7 @@ Losses ForceField::evaluate(const PointArray& position, const PointArray& veloci
 
 void ForceField::evaluate_undamped(const PointArray& position, PointArray& force) {
   ++evaluations;
-  force.setZero();
-  bonds.add_elastic_forces(position, force);
+  bonds.evaluate_elastic(position, force);
   add_wall_and_load(*this, position, force);
   constrain(*this, force);
 }

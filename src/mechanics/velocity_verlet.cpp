@@ -2,13 +2,14 @@
 
 #include <cmath>
 
+#include "mechanics/add_scaled.hpp"
+
 namespace impact {
 
 void VelocityVerlet::restart(ForceField& field, const State& state) {
-  acceleration_.resizeLike(state.position);
+  force_.resizeLike(state.position);
   if (field.damped()) predicted_velocity_.resizeLike(state.velocity);
-  power_ = field.evaluate(state.position, state.velocity, acceleration_);
-  acceleration_ /= field.point_mass;
+  power_ = field.evaluate(state.position, state.velocity, force_);
 }
 
 void VelocityVerlet::take_velocity(ForceField& field, const State& state) {
@@ -17,15 +18,17 @@ void VelocityVerlet::take_velocity(ForceField& field, const State& state) {
 
 Losses VelocityVerlet::step(ForceField& field, State& state, double h) {
   const bool damped = field.damped();
-  if (damped) predicted_velocity_ = state.velocity + h * acceleration_;
-  state.velocity += (0.5 * h) * acceleration_;
-  state.position += h * state.velocity;
+  if (damped) {
+    predicted_velocity_ = state.velocity;
+    add_scaled(h / field.point_mass, force_, predicted_velocity_);
+  }
+  const double half_kick = 0.5 * h / field.point_mass;
+  add_scaled(half_kick, force_, state.velocity);
+  add_scaled(h, state.velocity, state.position);
 
   const Losses before = power_;
-  power_ =
-      field.evaluate(state.position, damped ? predicted_velocity_ : state.velocity, acceleration_);
-  acceleration_ /= field.point_mass;
-  state.velocity += (0.5 * h) * acceleration_;
+  power_ = field.evaluate(state.position, damped ? predicted_velocity_ : state.velocity, force_);
+  add_scaled(half_kick, force_, state.velocity);
   return {0.5 * h * (before.dissipated + power_.dissipated),
           0.5 * h * (before.absorbed + power_.absorbed)};
 }

@@ -27,7 +27,7 @@ class VelocityVerlet : public Integrator {
   double step_limit(double omega_squared, double gamma) const override;
 
  private:
-  PointArray acceleration_;
+  PointArray force_;
   PointArray predicted_velocity_;  ///< empty without damping
   Losses power_;
 };

@@ -49,12 +49,12 @@ using Order = Lattice (*)(const PointArray&);
 template <Order kOrder>
 void force_evaluation(benchmark::State& state) {
   const Lattice lattice = kOrder(disk_points(static_cast<int>(state.range(0))));
-  const BondForces bonds(lattice, {1.0, 1e-3, 0.0});
+  BondForces bonds(lattice, {1.0, 1e-3, 0.0});
   const PointArray velocity = PointArray::Zero(lattice.points.rows(), 2);
   PointArray force(lattice.points.rows(), 2);
   for (auto _ : state) {
     force.setZero();
-    bonds.add_forces(lattice.points, velocity, force);
+    bonds.evaluate(lattice.points, velocity, force);
     benchmark::DoNotOptimize(force.data());
   }
   state.counters["bonds/s"] = benchmark::Counter(static_cast<double>(lattice.bonds.size()),

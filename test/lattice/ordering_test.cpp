@@ -40,5 +40,19 @@ TEST(StorageOrder, KeepsNeighboursClose) {
   EXPECT_LT(mean_index_distance(lattice.bonds), 2.0 * std::sqrt(4000.0));
 }
 
+/// In 300 points: the first 256 by their bonds, and the rest by theirs; points of equally many
+/// bonds in the order that was given.
+TEST(GroupedByBonds, SortsGroupsOf256) {
+  std::vector<std::int32_t> order(300);
+  std::iota(order.rbegin(), order.rend(), 0);
+  const std::vector<Bond> bonds{{0, 1}, {1, 100}, {100, 200}, {100, 299}};
+  const std::vector<std::int32_t> grouped = grouped_by_bonds(order, bonds);
+  const std::vector<std::int32_t> first{100, 299, 200, 298};
+  EXPECT_TRUE(std::equal(first.begin(), first.end(), grouped.begin()));
+  const std::vector<std::int32_t> second{1, 0, 43, 42};
+  EXPECT_TRUE(std::equal(second.begin(), second.end(), grouped.begin() + 256));
+  EXPECT_TRUE(std::is_permutation(order.begin(), order.end(), grouped.begin()));
+}
+
 }  // namespace
 }  // namespace impact

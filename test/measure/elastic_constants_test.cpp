@@ -218,7 +218,7 @@ TEST(MeanStress, OverTheWholeHeightIsThePull) {
   const Lattice lattice = random_rectangle({500, Placement::kBlueNoise, true}, 1);
   const PointArray position = stretched(lattice, law);
   PointArray force = PointArray::Zero(position.rows(), 2);
-  BondForces(lattice, law).add_forces(position, position, force);
+  BondForces(lattice, law).evaluate(position, position, force);
   const auto on_end = lattice.points.col(0) == kWidth / 2.0;
   const Eigen::Vector2d pull(-on_end.select(force.col(0), 0.0).sum(),
                              -on_end.select(force.col(1), 0.0).sum());

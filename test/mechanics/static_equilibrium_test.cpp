@@ -52,7 +52,7 @@ TEST(Stiffness, GivesTheFrequenciesOfATriangle) {
 /// The entries of the stiffness are the derivatives of the forces.
 TEST(Stiffness, IsMinusTheDerivativeOfTheForce) {
   const Lattice lattice = triangular_patch(3);
-  const BondForces bonds(lattice, {1.0, 5.0, 0.0});
+  BondForces bonds(lattice, {1.0, 5.0, 0.0});
   std::srand(1);
   const PointArray position = lattice.points + 0.1 * PointArray::Random(9, 2);
   Eigen::SparseMatrix<double> sparse(18, 18);
@@ -65,7 +65,7 @@ TEST(Stiffness, IsMinusTheDerivativeOfTheForce) {
       PointArray moved = position;
       moved.data()[column] += shift;
       PointArray force = PointArray::Zero(9, 2);
-      bonds.add_forces(moved, PointArray::Zero(9, 2), force);
+      bonds.evaluate(moved, PointArray::Zero(9, 2), force);
       return force;
     };
     const PointArray slope = (force_at(-kStep) - force_at(kStep)) / (2.0 * kStep);
@@ -127,7 +127,7 @@ TEST(FindEquilibrium, OfAStretchedPatchWithFrictionlessGrips) {
                 kRest);
   }
   PointArray force = PointArray::Zero(position.rows(), 2);
-  field.bonds.add_forces(position, position, force);
+  field.bonds.evaluate(position, position, force);
   double pull = 0.0;
   for (int row = 0; row < kRows; ++row) pull += force(row * kColumns, 0);
   const double height = kRows * std::sqrt(0.75);  // one row's share of it each

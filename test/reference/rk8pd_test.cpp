@@ -92,7 +92,7 @@ TEST(Rk8pd, EvaluatesTheFieldLastAtTheNewState) {
 
 TEST(Rk8pd, SaysInOneLineThatItCannotGoOn) {
   Oscillator oscillator(0.0);
-  oscillator.state.position.setZero();  // a bond without length has no direction
+  oscillator.state.position(0, 0) = std::nan("");
   Rk8pd integrator(1e-6, kScales);
   integrator.restart(oscillator.field, oscillator.state);
   try {

@@ -497,7 +497,8 @@ TEST(Stretch, EndsInEquilibrium) {
   const double bond = 1e-3 * std::sqrt(M_PI / 300);
   EXPECT_LT(run.simulation().largest_static_force(), 1e-6 * bond);
   PointArray force = PointArray::Zero(run.state().position.rows(), 2);
-  run.simulation().field().bonds.add_forces(run.state().position, run.state().velocity, force);
+  BondForces bonds = run.simulation().field().bonds;
+  bonds.evaluate(run.state().position, run.state().velocity, force);
   EXPECT_GT(force.abs().maxCoeff(), 0.1 * bond);
   // Rounding, and the free points' rest.
   EXPECT_NEAR(force.col(0).sum(), 0.0, 1e-13);

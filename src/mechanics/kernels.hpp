@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+
+/// The inner loops of the mechanics, compiled for several instruction sets and chosen when the
+/// program runs. The files of the kernels include no code but their own, so that no inline function
+/// of a library exists in a version that the processor may not have.
+namespace impact {
+
+/// Points are treated in slices of this many.
+constexpr int kSlice = 8;
+
+/// Smallest |r|² (R²), added to all: the places of a slice that hold no bond are bonds from a point
+/// to itself, of no length, and exert no force.
+constexpr double kLeastLengthSquared = 1e-300;
+
+/// Every bond, twice: in the list of each of its ends. Sliced lists (SELL-8 of M. Kreutzer et al.,
+/// SIAM J. Sci. Comput. 36 (2014) C401): a slice has as many rows as its point with the most bonds,
+/// a row has kSlice places, one a point.
+struct BondRows {
+  const std::int32_t* begin;     ///< the rows of slice s: begin[s] … begin[s + 1] − 1
+  const std::int32_t* end;       ///< the other end of each bond: point index
+  const double* natural_length;  ///< R
+};
+
+/// What a force evaluation reads and writes. Pairs are (x, y) of a point side by side, so that a
+/// point far away costs one access; their number is a multiple of kSlice.
+struct BondEvaluation {
+  BondRows rows;
+  double k_a;                    ///< M c²/R²
+  double k_b;                    ///< M c²/R⁴
+  double eta;                    ///< M c/R
+  std::int64_t points;           ///< distance of y from x in `force`
+  const double* position_pairs;  ///< R
+  const double* velocity_pairs;  ///< c; not read without damping
+  double* force;                 ///< x of all points, y of all points, M c²/R; overwritten
+};
+
+/// Evaluates the points of the slices first … end − 1. Returns Σ |v_i − v_j|² (c²) over all entries
+/// of their lists; without damping 0.
+using BondKernel = double (*)(const BondEvaluation&, std::int64_t first, std::int64_t end);
+
+struct Kernels {
+  const char* name;
+  BondKernel bonds[2][2];  ///< [with a cubic term][with damping]
+  /// Puts the coordinates first … end − 1 of x and y side by side.
+  void (*pair_up)(const double* x, const double* y, std::int64_t first, std::int64_t end,
+                  double* pairs);
+  /// y += factor · x, for `size` numbers.
+  void (*add_scaled)(double factor, const double* x, double* y, std::int64_t size);
+};
+
+extern const Kernels kPlainKernels;
+#ifdef __x86_64__
+extern const Kernels kAvx2Kernels;    ///< AVX2, FMA
+extern const Kernels kAvx512Kernels;  ///< AVX-512 F, DQ, VL
+#endif
+
+/// Whether this processor has the instructions.
+bool can_run(const Kernels& kernels);
+
+/// The best of those that this processor can run.
+const Kernels& kernels();
+
+}  // namespace impact

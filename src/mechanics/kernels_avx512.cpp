@@ -1,0 +1,9 @@
+#include "mechanics/kernel_body.hpp"
+
+#ifdef __AVX512F__
+namespace impact {
+
+const Kernels kAvx512Kernels = kernels_named("AVX-512");
+
+}  // namespace impact
+#endif
