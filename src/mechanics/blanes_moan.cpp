@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "mechanics/add_scaled.hpp"
+#include "mechanics/kick.hpp"
 
 namespace impact {
 namespace {
@@ -38,13 +38,12 @@ void BlanesMoan::restart(ForceField& field, const State& state) {
 }
 
 Losses BlanesMoan::step(ForceField& field, State& state, double h) {
-  const double kick = h / field.point_mass;
+  const double h_by_mass = h / field.point_mass;
   for (std::size_t i = 0; i < kDrifts; ++i) {
-    add_scaled(kKick[i] * kick, force_, state.velocity);
-    add_scaled(kDrift[i] * h, state.velocity, state.position);
+    kick_and_drift(kKick[i] * h_by_mass, force_, kDrift[i] * h, state.velocity, state.position);
     field.evaluate(state.position, state.velocity, force_);
   }
-  add_scaled(kKick[kDrifts] * kick, force_, state.velocity);
+  kick(kKick[kDrifts] * h_by_mass, force_, state.velocity);
   return {};
 }
 

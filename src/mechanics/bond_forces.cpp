@@ -63,8 +63,7 @@ void BondForces::pair_up(const PointArray& points, Aligned<double>& pairs) const
   kernels_->pair_up(points.data(), points.data() + points.rows(), 0, points.rows(), pairs.data());
 }
 
-double BondForces::evaluate(BondKernel kernel, const PointArray& position,
-                            const double* velocity_pairs, PointArray& force) {
+double BondForces::evaluate(bool damped, const PointArray& position, PointArray& force) {
   pair_up(position, position_pairs_);
   const BondEvaluation evaluation{
       {table_->begin.data(), table_->end.data(), table_->natural_length.data()},
@@ -73,21 +72,22 @@ double BondForces::evaluate(BondKernel kernel, const PointArray& position,
       law_.eta,
       table_->points,
       position_pairs_.data(),
-      velocity_pairs,
+      velocity_pairs_.data(),
       force.data()};
+  const bool cubic = law_.k_b != 0.0;
+  const BondKernel kernel = damped ? (cubic ? kernels_->cubic_damped : kernels_->linear_damped)
+                                   : (cubic ? kernels_->cubic : kernels_->linear);
   return kernel(evaluation, 0, table_->slices());
 }
 
 double BondForces::evaluate(const PointArray& position, const PointArray& velocity,
                             PointArray& force) {
   if (damped()) pair_up(velocity, velocity_pairs_);
-  const double relative_speed_squared =
-      evaluate(kernels_->bonds[law_.k_b != 0.0][damped()], position, velocity_pairs_.data(), force);
-  return 0.5 * law_.eta * relative_speed_squared;
+  return 0.5 * law_.eta * evaluate(damped(), position, force);
 }
 
 void BondForces::evaluate_elastic(const PointArray& position, PointArray& force) {
-  evaluate(kernels_->bonds[law_.k_b != 0.0][false], position, nullptr, force);
+  evaluate(false, position, force);
 }
 
 template <class Use>

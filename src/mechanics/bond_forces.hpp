@@ -78,8 +78,7 @@ class BondForces {
   /// Calls use(i, j, natural length) for the bonds whose first point lies in these rows.
   template <class Use>
   void for_each_bond(Eigen::Index first, Eigen::Index end, const Use& use) const;
-  double evaluate(BondKernel kernel, const PointArray& position, const double* velocity_pairs,
-                  PointArray& force);
+  double evaluate(bool damped, const PointArray& position, PointArray& force);
   void pair_up(const PointArray& points, Aligned<double>& pairs) const;
 
   BondLaw law_;

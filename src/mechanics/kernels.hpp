@@ -42,12 +42,21 @@ using BondKernel = double (*)(const BondEvaluation&, std::int64_t first, std::in
 
 struct Kernels {
   const char* name;
-  BondKernel bonds[2][2];  ///< [with a cubic term][with damping]
+  BondKernel linear;
+  BondKernel linear_damped;
+  BondKernel cubic;
+  BondKernel cubic_damped;
   /// Puts the coordinates first … end − 1 of x and y side by side.
   void (*pair_up)(const double* x, const double* y, std::int64_t first, std::int64_t end,
                   double* pairs);
-  /// y += factor · x, for `size` numbers.
-  void (*add_scaled)(double factor, const double* x, double* y, std::int64_t size);
+  /// v += factor · f, for `size` numbers.
+  void (*kick)(double factor, const double* f, double* v, std::int64_t size);
+  /// The same and, with the new v, x += time · v.
+  void (*kick_and_drift)(double factor, const double* f, double time, double* v, double* x,
+                         std::int64_t size);
+  /// Writes down the indices of the `size` heights that are not above the limit. Returns how many.
+  std::int64_t (*find_low)(const double* heights, std::int64_t size, double limit,
+                           std::int32_t* found);
 };
 
 extern const Kernels kPlainKernels;

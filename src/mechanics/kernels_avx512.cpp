@@ -1,4 +1,4 @@
-#include "mechanics/kernel_body.hpp"
+#include "mechanics/kernels.inc"
 
 #ifdef __AVX512F__
 namespace impact {

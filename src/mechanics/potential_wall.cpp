@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "mechanics/kernels.hpp"
+
 namespace impact {
 namespace {
 
@@ -11,11 +13,12 @@ constexpr double kReach = 60.0;  // in units of 1/a
 
 void PotentialWall::add_forces(const PointArray& position, PointArray& force) {
   clear();
-  const double reach = kReach / a();
-  for (Eigen::Index i = 0; i < position.rows(); ++i) {
-    const double height = position(i, 1);
-    if (height > reach) continue;
-    const double push = force_at(height);
+  in_reach_.resize(static_cast<std::size_t>(position.rows()));
+  const std::int64_t points =
+      kernels().find_low(position.col(1).data(), position.rows(), kReach / a(), in_reach_.data());
+  for (std::int64_t k = 0; k < points; ++k) {
+    const std::int32_t i = in_reach_[static_cast<std::size_t>(k)];
+    const double push = force_at(position(i, 1));
     force(i, 1) += push;
     count({0.0, push}, push);
   }

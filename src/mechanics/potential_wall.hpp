@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "lattice/lattice.hpp"
@@ -24,6 +25,9 @@ class PotentialWall : public WallContact {
 
   /// The points that the wall pushes with more than `least_force` (M c²/R).
   std::vector<PointForce> contacts(const PointArray& position, double least_force) const;
+
+ private:
+  std::vector<std::int32_t> in_reach_;  ///< work space of add_forces()
 };
 
 }  // namespace impact

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "mechanics/add_scaled.hpp"
+#include "mechanics/kick.hpp"
 
 namespace impact {
 
@@ -20,15 +20,14 @@ Losses VelocityVerlet::step(ForceField& field, State& state, double h) {
   const bool damped = field.damped();
   if (damped) {
     predicted_velocity_ = state.velocity;
-    add_scaled(h / field.point_mass, force_, predicted_velocity_);
+    kick(h / field.point_mass, force_, predicted_velocity_);
   }
   const double half_kick = 0.5 * h / field.point_mass;
-  add_scaled(half_kick, force_, state.velocity);
-  add_scaled(h, state.velocity, state.position);
+  kick_and_drift(half_kick, force_, h, state.velocity, state.position);
 
   const Losses before = power_;
   power_ = field.evaluate(state.position, damped ? predicted_velocity_ : state.velocity, force_);
-  add_scaled(half_kick, force_, state.velocity);
+  kick(half_kick, force_, state.velocity);
   return {0.5 * h * (before.dissipated + power_.dissipated),
           0.5 * h * (before.absorbed + power_.absorbed)};
 }

@@ -18,13 +18,13 @@ bool SeparationEnd::reached(const Simulation& simulation) {
   // The potential V₀ exp(−a y) is its force over a.
   const WallContact& wall = *simulation.field().contact();
   const State& state = simulation.state();
-  const Eigen::Index disk = state.position.rows() - simulation.field().wall_points;
   if (wall.total_force().y() / wall.a() > negligible_energy_) {
     touched_ = true;
     last_touch_ = state.time;
   }
-  const double upwards = state.velocity.col(1).head(disk).sum();
-  return touched_ && state.time - last_touch_ > waiting_time_ && upwards > 0.0;
+  if (!touched_ || state.time - last_touch_ <= waiting_time_) return false;
+  const Eigen::Index disk = state.position.rows() - simulation.field().wall_points;
+  return state.velocity.col(1).head(disk).sum() > 0.0;
 }
 
 RestEnd::RestEnd(const Scene& scene, Eigen::Index points, double step)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "test_lattices.hpp"
 
@@ -149,13 +150,32 @@ TEST_P(EveryKernel, GivesTheForcesAndThePower) {
   }
 }
 
-TEST_P(EveryKernel, AddsMultiples) {
+TEST_P(EveryKernel, KicksAndDrifts) {
   if (!can_run(*GetParam())) GTEST_SKIP() << "not on this processor";
-  const PointArray x = random_points(7, 1);
-  const PointArray y = random_points(7, 2);
-  PointArray sum = y;
-  GetParam()->add_scaled(0.3, x.data(), sum.data(), sum.size());
-  EXPECT_LT((sum - (y + 0.3 * x)).abs().maxCoeff(), 3e-16);  // a rounding
+  const PointArray f = random_points(7, 1);
+  PointArray v = random_points(7, 2);
+  PointArray x = random_points(7, 3);
+  const PointArray kicked = v + 0.3 * f;
+  const PointArray twice = kicked + 0.3 * f;
+  const PointArray drifted = x + 0.2 * twice;
+  constexpr double kRounding = 5e-16;
+  GetParam()->kick(0.3, f.data(), v.data(), v.size());
+  EXPECT_LT((v - kicked).abs().maxCoeff(), kRounding);
+  GetParam()->kick_and_drift(0.3, f.data(), 0.2, v.data(), x.data(), x.size());
+  EXPECT_LT((v - twice).abs().maxCoeff(), kRounding);
+  EXPECT_LT((x - drifted).abs().maxCoeff(), kRounding);
+}
+
+TEST_P(EveryKernel, FindsWhatIsNotAboveALimit) {
+  if (!can_run(*GetParam())) GTEST_SKIP() << "not on this processor";
+  std::vector<double> heights(27, 1.0);
+  heights[3] = heights[4] = 0.5;
+  heights[21] = std::nan("");
+  heights[26] = -1.0;
+  std::vector<std::int32_t> found(heights.size());
+  const auto count = GetParam()->find_low(heights.data(), 27, 0.5, found.data());
+  found.resize(static_cast<std::size_t>(count));
+  EXPECT_EQ(found, (std::vector<std::int32_t>{3, 4, 21, 26}));
 }
 
 /// A disk that blew up must not look at rest.
