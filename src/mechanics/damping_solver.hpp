@@ -1,9 +1,9 @@
 #pragma once
 
-#include <Eigen/SparseCore>
 #include <vector>
 
 #include "mechanics/force_field.hpp"
+#include "mechanics/panel_cholesky.hpp"
 
 namespace impact {
 
@@ -11,9 +11,8 @@ namespace impact {
 /// field's damping. Where the field holds the rotation or supports coordinates, u keeps the
 /// constraint.
 ///
-/// Cholesky factor by Eigen (AMD ordering), once. The triangular solves are our own: x and y have
-/// the same factor unless dashpots or supports tell them apart, and go through it together, which
-/// is three times as fast as Eigen's column after column.
+/// x and y have the same Cholesky factor unless dashpots or supports tell them apart, and go
+/// through it together.
 class DampingSolver {
  public:
   /// `scale`: s in R/c.
@@ -23,23 +22,10 @@ class DampingSolver {
   void solve(PointArray& velocity);
 
  private:
-  /// L of P A Pᵀ = L Lᵀ, column after column, without its diagonal, of which the inverse is kept.
-  struct Factor {
-    explicit Factor(const Eigen::SparseMatrix<double>& matrix);
-    std::vector<std::int32_t> place;  ///< of each row in the order of elimination
-    std::vector<std::int32_t> begin;  ///< of each column in `row` and `value`
-    std::vector<std::int32_t> row;
-    std::vector<double> value;
-    std::vector<double> inverse_diagonal;
-  };
-
-  template <int kColumns>
-  void substitute(const Factor& factor, int axis, PointArray& velocity);
-
-  std::vector<Factor> factors_;  ///< one for both axes, or one for each
-  std::vector<double> work_;
-  PointArray hold_direction_;  ///< empty: rotation not held
-  PointArray hold_response_;   ///< u for r = hold_direction_, over their product
+  std::vector<PanelCholesky> factors_;  ///< one for both axes, or one for each
+  PointArray y_solution_;               ///< with the factor of the y axis, where it has its own
+  PointArray hold_direction_;           ///< empty: rotation not held
+  PointArray hold_response_;            ///< u for r = hold_direction_, over their product
 };
 
 }  // namespace impact
