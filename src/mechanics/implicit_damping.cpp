@@ -5,9 +5,8 @@
 namespace impact {
 
 void ImplicitDamping::restart(ForceField& field, const State& state) {
-  acceleration_.resizeLike(state.position);
-  field.evaluate_undamped(state.position, acceleration_);
-  acceleration_ /= field.point_mass;
+  force_.resizeLike(state.position);
+  field.evaluate_undamped(state.position, force_);
 }
 
 Losses ImplicitDamping::step(ForceField& field, State& state, double h) {
@@ -16,7 +15,8 @@ Losses ImplicitDamping::step(ForceField& field, State& state, double h) {
     solver_.emplace(field, 0.5 * h);
     solver_step_ = h;
   }
-  start_ = state.velocity + (0.5 * h) * acceleration_;
+  const double half_step_by_mass = 0.5 * h / field.point_mass;
+  start_ = state.velocity + half_step_by_mass * force_;
   middle_velocity_ = start_;
   Losses losses;
   if (damped) {
@@ -29,9 +29,8 @@ Losses ImplicitDamping::step(ForceField& field, State& state, double h) {
     losses.dissipated = lost - losses.absorbed;
   }
   state.position += h * middle_velocity_;
-  field.evaluate_undamped(state.position, acceleration_);
-  acceleration_ /= field.point_mass;
-  state.velocity = 2.0 * middle_velocity_ - start_ + (0.5 * h) * acceleration_;
+  field.evaluate_undamped(state.position, force_);
+  state.velocity = 2.0 * middle_velocity_ - start_ + half_step_by_mass * force_;
   return losses;
 }
 

@@ -29,11 +29,11 @@ class ImplicitDamping : public Integrator {
   Losses step(ForceField& field, State& state, double h) override;
   double step_limit(double omega_squared, double gamma) const override;
 
-  /// Takes over the acceleration from one at the same state.
-  void start_like(const ImplicitDamping& other) { acceleration_ = other.acceleration_; }
+  /// Takes over the force from one at the same state.
+  void start_like(const ImplicitDamping& other) { force_ = other.force_; }
 
  private:
-  PointArray acceleration_;
+  PointArray force_;  ///< without damping
   PointArray middle_velocity_;
   PointArray start_;  ///< vₙ + h aₙ/2
   std::optional<DampingSolver> solver_;
