@@ -26,6 +26,7 @@ Scene touching(int points) {
   scene.disk.recipe.points = points;
   scene.wall.points = static_cast<int>(1269.0 / 1099.0 * points);
   scene.impact.gap = 0.0;
+  scene.numerics.integrator = IntegratorKind::kVerlet;
   return scene;
 }
 
@@ -132,7 +133,7 @@ void steps(benchmark::State& state) {
   Onlooker onlooker(start);
   for (auto _ : state) {
     state.PauseTiming();
-    Simulation simulation(start.field, start.initial, start.spectrum, start.step);
+    Simulation simulation(start.field, start.initial, start.rates.lattice, start.resolution.step);
     onlooker.begin(simulation);
     state.ResumeTiming();
     for (int step = 0; step < kSteps; ++step) {
