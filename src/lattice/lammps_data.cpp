@@ -10,8 +10,8 @@
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "lattice/input_error.hpp"
@@ -31,15 +31,15 @@ class LineReader {
   /// Goes to the next line that has any words; false at the end of the file.
   bool next() {
     words_.clear();
-    for (std::string line; words_.empty() && std::getline(stream_, line);) {
+    while (words_.empty() && std::getline(stream_, line_)) {
       ++number_;
-      std::istringstream stream(line.substr(0, line.find('#')));
-      for (std::string word; stream >> word;) words_.push_back(std::move(word));
+      split();
     }
     return !words_.empty();
   }
 
-  const std::vector<std::string>& words() const { return words_; }
+  /// Each ends in the line at a character that belongs to no number.
+  const std::vector<std::string_view>& words() const { return words_; }
 
   int number() const { return number_; }
 
@@ -56,10 +56,10 @@ class LineReader {
   }
 
   double real(std::size_t column) const {
-    const std::string& word = words_[column];
+    const std::string_view word = words_[column];
     char* end = nullptr;
-    const double value = std::strtod(word.c_str(), &end);
-    if (*end != '\0' || !std::isfinite(value)) {
+    const double value = std::strtod(word.data(), &end);
+    if (end != word.data() + word.size() || !std::isfinite(value)) {
       fail(fmt::format("`{}` is not a finite number", word));
     }
     return value;
@@ -68,19 +68,31 @@ class LineReader {
   /// The whole number in this column, `low` … `high`; `what` names it in an error.
   std::int32_t whole(std::size_t column, std::int64_t low, std::int64_t high,
                      const char* what) const {
-    const std::string& word = words_[column];
+    const std::string_view word = words_[column];
     char* end = nullptr;
-    const long long value = std::strtoll(word.c_str(), &end, 10);
-    if (*end != '\0' || value < low || value > high) {
+    const long long value = std::strtoll(word.data(), &end, 10);
+    if (end != word.data() + word.size() || value < low || value > high) {
       fail(fmt::format("{} `{}`, allowed {} … {}", what, word, low, high));
     }
     return static_cast<std::int32_t>(value);
   }
 
  private:
+  void split() {
+    constexpr const char* kBlanks = " \t\r\v\f";
+    const std::string_view text = std::string_view(line_).substr(0, line_.find('#'));
+    std::size_t end = 0;
+    for (std::size_t begin = text.find_first_not_of(kBlanks); begin != std::string_view::npos;
+         begin = text.find_first_not_of(kBlanks, end)) {
+      end = std::min(text.find_first_of(kBlanks, begin), text.size());
+      words_.push_back(text.substr(begin, end - begin));
+    }
+  }
+
   std::filesystem::path path_;
   std::ifstream stream_;
-  std::vector<std::string> words_;
+  std::string line_;
+  std::vector<std::string_view> words_;  ///< of the line
   int number_ = 1;
 };
 
@@ -90,10 +102,10 @@ class DataFile {
   explicit DataFile(const std::filesystem::path& path) : reader_(path) {
     std::string section;
     while (reader_.next()) {
-      const std::string& word = reader_.words().front();
+      const std::string_view word = reader_.words().front();
       if (std::isalpha(static_cast<unsigned char>(word.front())) != 0) {
         finish(section);
-        section = reader_.words().size() == 1 ? word : "other";
+        section = reader_.words().size() == 1 ? std::string(word) : "other";
         begin(section);
       } else if (section.empty()) {
         read_header_line();
