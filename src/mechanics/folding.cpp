@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace impact {
 namespace {
@@ -13,39 +14,62 @@ double signed_area(const Eigen::Ref<const PointArray>& points, std::int32_t a, s
          (points(b, 1) - points(a, 1)) * (points(c, 0) - points(a, 0));
 }
 
-std::vector<std::vector<std::int32_t>> neighbours_by_angle(const Lattice& lattice) {
-  std::vector<std::vector<std::int32_t>> neighbours(
-      static_cast<std::size_t>(lattice.points.rows()));
+/// A bond as seen from one of its ends.
+struct Spoke {
+  double angle;
+  std::int32_t to;
+};
+
+/// The bonds of every point, counter-clockwise: those of point i are spokes[begin[i]] …
+/// spokes[begin[i + 1]].
+struct Wheels {
+  std::vector<std::size_t> begin;
+  std::vector<Spoke> spokes;
+};
+
+Wheels wheels(const Lattice& lattice) {
+  const auto points = static_cast<std::size_t>(lattice.points.rows());
+  Wheels all{std::vector<std::size_t>(points + 1, 0), std::vector<Spoke>(2 * lattice.bonds.size())};
   for (const Bond& bond : lattice.bonds) {
-    neighbours[static_cast<std::size_t>(bond.first)].push_back(bond.second);
-    neighbours[static_cast<std::size_t>(bond.second)].push_back(bond.first);
+    ++all.begin[static_cast<std::size_t>(bond.first)];
+    ++all.begin[static_cast<std::size_t>(bond.second)];
   }
-  for (std::size_t i = 0; i < neighbours.size(); ++i) {
-    const auto centre = lattice.points.row(static_cast<Eigen::Index>(i));
-    const auto angle = [&](std::int32_t j) {
-      return std::atan2(lattice.points(j, 1) - centre(1), lattice.points(j, 0) - centre(0));
-    };
-    std::sort(neighbours[i].begin(), neighbours[i].end(),
-              [&](std::int32_t a, std::int32_t b) { return angle(a) < angle(b); });
+  std::partial_sum(all.begin.begin(), all.begin.end(), all.begin.begin());
+  const auto add = [&](std::int32_t from, std::int32_t to) {
+    const auto way = (lattice.points.row(to) - lattice.points.row(from)).eval();
+    all.spokes[--all.begin[static_cast<std::size_t>(from)]] = {std::atan2(way(1), way(0)), to};
+  };
+  for (const Bond& bond : lattice.bonds) {
+    add(bond.first, bond.second);
+    add(bond.second, bond.first);
   }
-  return neighbours;
+  const auto place = [&](std::size_t k) {
+    return all.spokes.begin() + static_cast<std::ptrdiff_t>(all.begin[k]);
+  };
+  for (std::size_t i = 0; i < points; ++i) {
+    std::sort(place(i), place(i + 1),
+              [](const Spoke& a, const Spoke& b) { return a.angle < b.angle; });
+  }
+  return all;
 }
 
 }  // namespace
 
 Triangles::Triangles(const Lattice& lattice) {
-  const auto neighbours = neighbours_by_angle(lattice);
-  for (std::size_t i = 0; i < neighbours.size(); ++i) {
+  const auto [begin, spokes] = wheels(lattice);
+  corners_.reserve(lattice.bonds.size());
+  for (std::size_t i = 0; i + 1 < begin.size(); ++i) {
     const auto a = static_cast<std::int32_t>(i);
-    for (std::size_t k = 0; k < neighbours[i].size(); ++k) {
-      const std::int32_t b = neighbours[i][k];
-      const std::int32_t c = neighbours[i][(k + 1) % neighbours[i].size()];
+    for (std::size_t k = begin[i]; k < begin[i + 1]; ++k) {
+      const std::int32_t b = spokes[k].to;
+      const std::int32_t c = spokes[k + 1 < begin[i + 1] ? k + 1 : begin[i]].to;
       if (a > b || a > c) continue;  // each triangle from its first corner
       const bool bonded = std::binary_search(lattice.bonds.begin(), lattice.bonds.end(),
                                              Bond{std::min(b, c), std::max(b, c)});
       if (bonded && signed_area(lattice.points, a, b, c) > 0.0) corners_.push_back({a, b, c});
     }
   }
+  corners_.shrink_to_fit();
 }
 
 std::size_t Triangles::turned_over(const Eigen::Ref<const PointArray>& position) const {
