@@ -25,18 +25,29 @@ using IndexedPoint = std::pair<Kernel::Point_2, std::int32_t>;
 using SortTraits =
     CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pair_property_map<IndexedPoint>>;
 
-}  // namespace
-
-std::vector<Bond> delaunay_bonds(const PointArray& points) {
+std::vector<IndexedPoint> along_hilbert_curve(const PointArray& points) {
   std::vector<IndexedPoint> indexed;
   indexed.reserve(static_cast<std::size_t>(points.rows()));
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     indexed.emplace_back(Kernel::Point_2(points(i, 0), points(i, 1)), static_cast<std::int32_t>(i));
   }
+  CGAL::hilbert_sort(indexed.begin(), indexed.end(), SortTraits());
+  return indexed;
+}
 
+}  // namespace
+
+std::vector<std::int32_t> hilbert_order(const PointArray& points) {
+  std::vector<std::int32_t> order;
+  order.reserve(static_cast<std::size_t>(points.rows()));
+  for (const IndexedPoint& point : along_hilbert_curve(points)) order.push_back(point.second);
+  return order;
+}
+
+std::vector<Bond> delaunay_bonds(const PointArray& points) {
   // CGAL's own range insertion shuffles the points by a generator that lives as long as the
   // program, so a second lattice of the same seed could differ. A Hilbert curve needs no shuffling.
-  CGAL::hilbert_sort(indexed.begin(), indexed.end(), SortTraits());
+  std::vector<IndexedPoint> indexed = along_hilbert_curve(points);
   Triangulation triangulation;
   Triangulation::Face_handle hint;
   for (const IndexedPoint& point : indexed) {
@@ -49,8 +60,8 @@ std::vector<Bond> delaunay_bonds(const PointArray& points) {
     const auto same =
         std::adjacent_find(indexed.begin(), indexed.end(),
                            [](const auto& a, const auto& b) { return a.first == b.first; });
-    throw InputError(fmt::format("points {} and {} coincide, at ({}, {})", same->second + 1,
-                                 std::next(same)->second + 1, same->first.x(), same->first.y()));
+    throw InputError(
+        fmt::format("two points coincide, at ({}, {})", same->first.x(), same->first.y()));
   }
 
   std::vector<Bond> bonds;

@@ -22,15 +22,27 @@ TEST(DelaunayBonds, HaveEulersNumber) {
   EXPECT_EQ(delaunay_bonds(points).size(), 3U * 1099U - 3U - on_rim);
 }
 
+/// On a grid of 2ᵏ × 2ᵏ points the curve goes from neighbour to neighbour.
+TEST(HilbertOrder, GoesFromNeighbourToNeighbour) {
+  constexpr int kSide = 8;
+  PointArray grid(kSide * kSide, 2);
+  for (int i = 0; i < grid.rows(); ++i) grid.row(i) << i % kSide, i / kSide;
+  const std::vector<std::int32_t> order = hilbert_order(grid);
+  ASSERT_EQ(order.size(), 64U);
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    EXPECT_EQ((grid.row(order[k]) - grid.row(order[k - 1])).abs().sum(), 1.0);
+  }
+}
+
 TEST(DelaunayBonds, AreTheSameEveryTime) {
   const PointArray points = place_in_disk({}, 7);
   EXPECT_EQ(delaunay_bonds(points), delaunay_bonds(points));
 }
 
-TEST(DelaunayBonds, NameThePointsThatCoincide) {
+TEST(DelaunayBonds, SayWherePointsCoincide) {
   PointArray points(5, 2);
   points << 0, 0, 1, 0, 0, 1, 1, 1, 1, 0;
-  EXPECT_INPUT_ERROR(delaunay_bonds(points), "points 2 and 5 coincide, at (1, 0)");
+  EXPECT_INPUT_ERROR(delaunay_bonds(points), "two points coincide, at (1, 0)");
 }
 
 }  // namespace
