@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
                             parameters);
     std::vector<impact::Scene> series = impact::parse_series(
         keys, impact::key_names(impact::simulation_node_parameters(), parameters));
-    impact::check_series(parameters, series);
-    return impact::SimulationNode(parameters, std::move(series)).run_series() ? 0 : 1;
+    impact::Compositions compositions = impact::check_series(parameters, series);
+    impact::SimulationNode node(parameters, std::move(series), std::move(compositions));
+    return node.run_series() ? 0 : 1;
   });
 }

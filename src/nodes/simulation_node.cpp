@@ -15,8 +15,9 @@
 namespace impact {
 namespace {
 
-constexpr std::uint32_t kStatusInterval = 100;  // states
-constexpr std::int64_t kWindow = 100;           // states ahead of the slowest reader
+constexpr std::uint32_t kStatusInterval = 100;     // states
+constexpr std::int64_t kWindow = 100;              // states ahead of the slowest reader
+constexpr Eigen::Index kMostPointsKept = 1000000;  // between the check and the runs
 
 /// Rough size of the messages of a run, in bytes.
 double expected_size(const Scene& scene, const Composition& composition) {
@@ -58,18 +59,24 @@ double free_space(const std::string& file) {
 
 }  // namespace
 
-void check_series(const SimulationNodeParameters& parameters, const std::vector<Scene>& series) {
+Compositions check_series(const SimulationNodeParameters& parameters,
+                          const std::vector<Scene>& series) {
+  Compositions compositions(series.size());
+  Eigen::Index points = 0;
   double size = 0.0;
   double longest_time = 0.0;
-  for (const Scene& scene : series) {
-    if (interrupted()) return;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const Scene& scene = series[i];
+    if (interrupted()) return compositions;
     if (scene.kind == SceneKind::kStretch) {
       throw bad_value("scene", "stretch", "contact or collision in a node; see the program impact");
     }
-    const Composition composition = compose(scene);
-    size += expected_size(scene, composition);
-    longest_time += Run::kPatience * composition.expected_time;
+    const auto composition = compose_shared(scene);
+    size += expected_size(scene, *composition);
+    longest_time += Run::kPatience * composition->expected_time;
     check_stamps(parameters.seconds_per_time_unit, scene.output.period, longest_time);
+    points += composition->initial.position.rows();
+    if (points <= kMostPointsKept || i == 0) compositions[i] = composition;
   }
   ROS_INFO(
       "%s",
@@ -78,12 +85,14 @@ void check_series(const SimulationNodeParameters& parameters, const std::vector<
     throw InputError(fmt::format("bag: about {:.3g} GB are to be written to {}, {:.3g} GB are free",
                                  size / 1e9, parameters.bag, free_space(parameters.bag) / 1e9));
   }
+  return compositions;
 }
 
 SimulationNode::SimulationNode(const SimulationNodeParameters& parameters,
-                               std::vector<Scene> series)
+                               std::vector<Scene> series, Compositions compositions)
     : parameters_(parameters),
       series_(std::move(series)),
+      compositions_(std::move(compositions)),
       readers_(node_, parameters.wait_for),
       wall_readers_(has_elastic_wall(series_)
                         ? std::make_optional<Readers>(node_, parameters.wait_for_wall)
@@ -103,9 +112,9 @@ bool SimulationNode::run_series() {
   if (wall_readers_) wall_readers_->wait(parameters_.timeout);
   pacing_.wait_for_links(parameters_.timeout);
   if (!interrupted()) streams_.open_bag(parameters_.bag);
-  for (const Scene& scene : series_) {
-    if (interrupted()) break;
-    simulate(scene);
+  for (std::size_t i = 0; i < series_.size() && !interrupted(); ++i) {
+    auto composition = std::exchange(compositions_[i], nullptr);
+    simulate(series_[i], composition ? std::move(composition) : compose_shared(series_[i]));
     ++status_.run;
   }
   streams_.close();
@@ -113,18 +122,17 @@ bool SimulationNode::run_series() {
   return !interrupted();
 }
 
-void SimulationNode::simulate(const Scene& scene) {
-  Composition composition = compose(scene);
-  ErrorControl control(scene, composition);
+void SimulationNode::simulate(const Scene& scene,
+                              const std::shared_ptr<const Composition>& composition) {
+  ErrorControl control(scene, *composition);
   std::string failure;
   try {
     control.find_resolution(composition, interrupted);
   } catch (const RunFailure& cause) {
     failure = cause.what();
   }
-  composition.resolution = control.resolution();
   status_.estimated_error = control.estimated_error();
-  Run run(scene, std::move(composition));
+  Run run(scene, composition, control.resolution());
   start(scene, run);
   try {
     if (!failure.empty()) throw RunFailure(failure);

@@ -3,6 +3,7 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/ros.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,16 +18,23 @@
 
 namespace impact {
 
+/// One a scene of a series; null: to be made anew.
+using Compositions = std::vector<std::shared_ptr<const Composition>>;
+
 /// Composes every run of the series, so that bad input is found before anything runs, and
-/// forecasts the size of its messages.
+/// forecasts the size of its messages. The compositions are kept as long as their points are no
+/// more than 10⁶ in all, the first in any case.
 /// @throw InputError as compose(), for a scene that has no motion to publish, and when the bag
 /// would not fit on its disk.
-void check_series(const SimulationNodeParameters& parameters, const std::vector<Scene>& series);
+Compositions check_series(const SimulationNodeParameters& parameters,
+                          const std::vector<Scene>& series);
 
 /// Simulates a series of runs, one after another, and publishes them.
 class SimulationNode {
  public:
-  SimulationNode(const SimulationNodeParameters& parameters, std::vector<Scene> series);
+  /// `compositions`: see check_series().
+  SimulationNode(const SimulationNodeParameters& parameters, std::vector<Scene> series,
+                 Compositions compositions);
 
   /// Runs the series. False when it was interrupted.
   /// @throw InputError when the bag cannot be opened; std::runtime_error when a reader is missing,
@@ -34,7 +42,7 @@ class SimulationNode {
   bool run_series();
 
  private:
-  void simulate(const Scene& scene);
+  void simulate(const Scene& scene, const std::shared_ptr<const Composition>& composition);
   void publish_run(Run& run);
   void start(const Scene& scene, const Run& run);
   void publish_output(Run& run);
@@ -47,6 +55,7 @@ class SimulationNode {
 
   SimulationNodeParameters parameters_;
   std::vector<Scene> series_;
+  Compositions compositions_;
   ros::NodeHandle node_;
   Readers readers_;
   std::optional<Readers> wall_readers_;

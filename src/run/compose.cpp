@@ -213,4 +213,8 @@ Composition compose(const Scene& scene) {
   return scene.kind == SceneKind::kStretch ? compose_stretch(scene) : compose_on_wall(scene);
 }
 
+std::shared_ptr<const Composition> compose_shared(const Scene& scene) {
+  return std::make_shared<const Composition>(compose(scene));
+}
+
 }  // namespace impact

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "lattice/lattice.hpp"
@@ -10,7 +11,8 @@
 
 namespace impact {
 
-/// A scene made ready: the terms that it has, and no others, at the start.
+/// A scene made ready: the terms that it has, and no others, at the start. All runs of the scene
+/// share one.
 struct Composition {
   Lattice lattice;                      ///< of the disk, or of a stretched rectangle
   std::optional<Lattice> wall_lattice;  ///< of an elastic wall, above whose surface y = 0 lies
@@ -24,6 +26,7 @@ struct Composition {
 /// @throw InputError for a lattice that cannot be used, and for a given step beyond the stability
 /// bound of the lattice and its damping.
 Composition compose(const Scene& scene);
+std::shared_ptr<const Composition> compose_shared(const Scene& scene);
 
 /// The energy of the potential wall that counts as none: numerics.error/100 of the kinetic energy
 /// at the start. In M c².

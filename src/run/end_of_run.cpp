@@ -57,10 +57,10 @@ double negligible_static_force(const Scene& scene, Eigen::Index points, double s
   return std::max(0.1 * scene.numerics.error * scene.load.p * share, rounding);
 }
 
-std::unique_ptr<EndOfRun> end_of_run(const Scene& scene, const Composition& composition) {
+std::unique_ptr<EndOfRun> end_of_run(const Scene& scene, const Composition& composition,
+                                     double step) {
   if (scene.kind == SceneKind::kContact) {
-    return std::make_unique<RestEnd>(scene, composition.lattice.points.rows(),
-                                     composition.resolution.step);
+    return std::make_unique<RestEnd>(scene, composition.lattice.points.rows(), step);
   }
   if (scene.kind == SceneKind::kStretch) return std::make_unique<StaticEnd>();
   return std::make_unique<SeparationEnd>(negligible_wall_energy(scene),

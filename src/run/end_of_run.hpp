@@ -63,6 +63,8 @@ class StaticEnd : public EndOfRun {
 /// eigenvalue 12, makes the displacement of a step smaller than the spacing ε of doubles.
 double negligible_static_force(const Scene& scene, Eigen::Index points, double step);
 
-std::unique_ptr<EndOfRun> end_of_run(const Scene& scene, const Composition& composition);
+/// `step` in R/c.
+std::unique_ptr<EndOfRun> end_of_run(const Scene& scene, const Composition& composition,
+                                     double step);
 
 }  // namespace impact

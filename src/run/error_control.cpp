@@ -56,13 +56,11 @@ bool ErrorControl::accepts(const Run& run) {
   }
 }
 
-void ErrorControl::find_resolution(const Composition& composition,
+void ErrorControl::find_resolution(const std::shared_ptr<const Composition>& composition,
                                    const std::function<bool()>& stop) {
   if (scene_.kind != SceneKind::kCollision || scene_.numerics.are_given()) return;
   for (bool accepted = false; !accepted && !stop();) {
-    Composition at_resolution = composition;
-    at_resolution.resolution = resolution_;
-    Run run(scene_, std::move(at_resolution));
+    Run run(scene_, composition, resolution_);
     try {
       while (!run.finished() && !stop()) run.advance(stop);
       accepted = run.finished() && accepts(run);

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -48,7 +49,8 @@ class ErrorControl {
   /// Makes all runs of a collision, unseen, until one is accepted or `stop`, asked every 64 steps,
   /// says true. A run at resolution() is then good.
   /// @throw RunFailure as accepts().
-  void find_resolution(const Composition& composition, const std::function<bool()>& stop);
+  void find_resolution(const std::shared_ptr<const Composition>& composition,
+                       const std::function<bool()>& stop);
 
   /// Relative; NaN: not known.
   double estimated_error() const { return estimated_error_; }

@@ -34,20 +34,19 @@ bool hops_matter(const Scene& scene, const Simulation& simulation) {
 
 }  // namespace
 
-Run::Run(const Scene& scene, Composition composition)
+Run::Run(const Scene& scene, std::shared_ptr<const Composition> composition,
+         const Resolution& resolution)
     : scene_(scene),
-      expected_time_(composition.expected_time),
-      end_(end_of_run(scene, composition)),
-      lattice_(std::move(composition.lattice)),
-      wall_lattice_(std::move(composition.wall_lattice)),
-      triangles_(lattice_),
-      simulation_(std::move(composition.field), std::move(composition.initial),
-                  composition.rates.lattice, composition.resolution.step,
-                  make_integrator(scene, composition.resolution, composition.rates.sound_speed)),
+      composition_(std::move(composition)),
+      end_(end_of_run(scene, *composition_, resolution.step)),
+      triangles_(lattice()),
+      simulation_(composition_->field, composition_->initial, composition_->rates.lattice,
+                  resolution.step,
+                  make_integrator(scene, resolution, composition_->rates.sound_speed)),
       monitor_(simulation_.ledger()),
       recorder_(simulation_, contact_force(scene)),
-      integrator_(composition.resolution.integrator) {
-  if (wall_lattice_) wall_triangles_.emplace(*wall_lattice_);
+      integrator_(resolution.integrator) {
+  if (wall_lattice() != nullptr) wall_triangles_.emplace(*wall_lattice());
   if (scene.kind == SceneKind::kCollision) {
     const double v = scene.impact.velocity;
     const double relative_energy = 2.0 * simulation_.ledger().wall / (v * v);
@@ -77,7 +76,7 @@ bool Run::has_flag(const std::string& flag) const {
 }
 
 State Run::disk_state() const {
-  const Eigen::Index points = lattice_.points.rows();
+  const Eigen::Index points = lattice().points.rows();
   return {state().time, state().step, state().position.topRows(points),
           state().velocity.topRows(points)};
 }
@@ -120,7 +119,7 @@ void Run::observe_step() {
   }
   if (end_->reached(simulation_)) {
     finish();
-  } else if (state().time > kPatience * expected_time_) {
+  } else if (state().time > kPatience * expected_time()) {
     flags_.emplace_back(end_->flag_if_given_up());
     finish();
   }
@@ -133,9 +132,9 @@ void Run::look() {
 
 void Run::note_folds() {
   const PointArray& position = state().position;
-  folded_ = folded_ || triangles_.turned_over(position.topRows(lattice_.points.rows())) > 0;
+  folded_ = folded_ || triangles_.turned_over(position.topRows(lattice().points.rows())) > 0;
   if (!wall_triangles_) return;
-  const auto wall = position.bottomRows(wall_lattice_->points.rows());
+  const auto wall = position.bottomRows(wall_lattice()->points.rows());
   folded_ = folded_ || wall_triangles_->turned_over(wall) > 0;
 }
 

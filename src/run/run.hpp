@@ -24,8 +24,12 @@ class Run {
   static constexpr double kPatience = 20.0;
 
   /// @throw InputError as compose().
-  explicit Run(const Scene& scene) : Run(scene, compose(scene)) {}
-  Run(const Scene& scene, Composition composition);
+  explicit Run(const Scene& scene) : Run(scene, compose_shared(scene)) {}
+  /// At the first resolution of the composition.
+  Run(const Scene& scene, const std::shared_ptr<const Composition>& composition)
+      : Run(scene, composition, composition->resolution) {}
+  Run(const Scene& scene, std::shared_ptr<const Composition> composition,
+      const Resolution& resolution);
 
   /// Goes on to the first step at or after the next output time, or to the end if that comes first,
   /// or to where `stop`, asked every 64 steps, says true. The output times do not touch the motion.
@@ -39,9 +43,11 @@ class Run {
   void reload(double p);
 
   bool finished() const { return finished_; }
-  const Lattice& lattice() const { return lattice_; }
+  const Lattice& lattice() const { return composition_->lattice; }
   /// Of an elastic wall; nullptr when the scene has none.
-  const Lattice* wall_lattice() const { return wall_lattice_ ? &*wall_lattice_ : nullptr; }
+  const Lattice* wall_lattice() const {
+    return composition_->wall_lattice ? &*composition_->wall_lattice : nullptr;
+  }
   const Simulation& simulation() const { return simulation_; }
   /// Of all points: the disk's and, after them, those of an elastic wall.
   const State& state() const { return simulation_.state(); }
@@ -49,7 +55,7 @@ class Run {
   State wall_state() const;
   /// The method in use.
   IntegratorKind integrator() const { return integrator_; }
-  double expected_time() const { return expected_time_; }
+  double expected_time() const { return composition_->expected_time; }
 
   ContactReports take_contact_reports() { return recorder_.take(simulation_); }
 
@@ -79,10 +85,8 @@ class Run {
   void finish();
 
   Scene scene_;
-  double expected_time_;
+  std::shared_ptr<const Composition> composition_;
   std::unique_ptr<EndOfRun> end_;
-  Lattice lattice_;
-  std::optional<Lattice> wall_lattice_;
   Triangles triangles_;
   std::optional<Triangles> wall_triangles_;
   Simulation simulation_;

@@ -103,19 +103,18 @@ std::vector<Quantity> run_quantities() {
 
 }  // namespace
 
-Experiment::Experiment(const Scene& scene, bool keep_history)
+Experiment::Experiment(const Scene& scene, std::shared_ptr<const Composition> composition,
+                       bool keep_history)
     : scene_(scene),
-      composition_(compose(scene)),
-      control_(scene, composition_),
-      strain_meter_(composition_.lattice.points),
+      composition_(std::move(composition)),
+      control_(scene, *composition_),
+      strain_meter_(composition_->lattice.points),
       keep_history_(keep_history) {
   start_run();
 }
 
 void Experiment::start_run() {
-  Composition composition = composition_;
-  composition.resolution = control_.resolution();
-  run_.emplace(scene_, std::move(composition));
+  run_.emplace(scene_, composition_, control_.resolution());
   analysis_ = {};
   if (keep_history_) history_ = kHistoryHeader;
   take_in();
@@ -138,7 +137,7 @@ void Experiment::advance(const std::function<bool()>& stop) {
 void Experiment::go_on_to(const Scene& next) {
   start_ = std::chrono::steady_clock::now();
   scene_ = next;
-  control_ = ErrorControl(next, composition_);
+  control_ = ErrorControl(next, *composition_);
   run_->reload(next.load.p);
   finished_ = false;
 }

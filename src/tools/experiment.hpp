@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +20,11 @@ namespace impact {
 class Experiment {
  public:
   /// @throw InputError as compose().
-  explicit Experiment(const Scene& scene, bool keep_history = false);
+  explicit Experiment(const Scene& scene, bool keep_history = false)
+      : Experiment(scene, compose_shared(scene), keep_history) {}
+  /// `composition`: of the scene.
+  Experiment(const Scene& scene, std::shared_ptr<const Composition> composition,
+             bool keep_history = false);
 
   /// Goes on as Run::advance() and takes in what the measurements need; at the end of a run that is
   /// not accurate enough, starts the next one.
@@ -59,7 +64,7 @@ class Experiment {
 
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Scene scene_;
-  Composition composition_;
+  std::shared_ptr<const Composition> composition_;
   ErrorControl control_;
   std::optional<Run> run_;
   StrainMeter strain_meter_;

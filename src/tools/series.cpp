@@ -10,6 +10,8 @@
 #include <chrono>
 #include <deque>
 #include <future>
+#include <memory>
+#include <utility>
 
 #include "run/compose.hpp"
 #include "run/energy_monitor.hpp"
@@ -49,10 +51,14 @@ void go_on(Experiment& experiment, const Scene& next) {
   }
 }
 
-/// Fewer results than scenes when it was told to stop.
-std::vector<ResultTexts> simulate(Scenes begin, Scenes end, const std::function<bool()>& stop) {
+using SharedComposition = std::shared_ptr<const Composition>;
+
+/// Fewer results than scenes when it was told to stop. `composition`: of the first scene; null: not
+/// made yet.
+std::vector<ResultTexts> simulate(Scenes begin, Scenes end, SharedComposition composition,
+                                  const std::function<bool()>& stop) {
   std::vector<ResultTexts> results;
-  Experiment experiment(*begin);
+  Experiment experiment(*begin, composition ? std::move(composition) : compose_shared(*begin));
   for (auto scene = begin; scene != end; ++scene) {
     if (scene != begin) go_on(experiment, *scene);
     try {
@@ -83,10 +89,13 @@ class Workers {
 
   bool stopped() const { return given_up_ || (stop_ && stop_()); }
 
-  std::future<std::vector<ResultTexts>> start(Scenes begin, Scenes end) {
-    return boost::asio::post(pool_, boost::asio::use_future([this, begin, end] {
-                               return simulate(begin, end, [this] { return stopped(); });
-                             }));
+  std::future<std::vector<ResultTexts>> start(Scenes begin, Scenes end,
+                                              SharedComposition composition) {
+    return boost::asio::post(
+        pool_,
+        boost::asio::use_future([this, begin, end, composition = std::move(composition)]() mutable {
+          return simulate(begin, end, std::move(composition), [this] { return stopped(); });
+        }));
   }
 
  private:
@@ -109,21 +118,31 @@ struct Chain {
   std::future<std::vector<ResultTexts>> results;
 };
 
-/// A chain of which some rows are there is simulated from its beginning again, so that the others
-/// do not depend on an interruption.
-void simulate_missing_rows(SeriesFile& file, const SeriesOptions& options) {
-  const auto show_progress = [&] {
-    if (options.progress) options.progress(file.rows().size());
-  };
-  Workers workers(options.jobs, options.stop);
+/// The chains of which rows are missing. One of which some rows are there is simulated from its
+/// beginning again, so that the others do not depend on an interruption.
+std::deque<Chain> missing_chains(const SeriesFile& file) {
   std::deque<Chain> chains;
   const std::vector<Scene>& scenes = file.scenes();
   for (auto begin = scenes.begin(); begin != scenes.end(); begin = chains.back().end) {
     chains.push_back({begin, end_of_chain(begin, scenes.end()), {}});
   }
   const auto first_missing = scenes.begin() + static_cast<std::ptrdiff_t>(file.rows().size());
-  while (chains.front().end <= first_missing) chains.pop_front();
-  for (Chain& chain : chains) chain.results = workers.start(chain.begin, chain.end);
+  while (!chains.empty() && chains.front().end <= first_missing) chains.pop_front();
+  return chains;
+}
+
+/// `first`: the composition with which the first chain begins.
+void simulate_chains(std::deque<Chain> chains, SharedComposition first, SeriesFile& file,
+                     const SeriesOptions& options) {
+  const auto show_progress = [&] {
+    if (options.progress) options.progress(file.rows().size());
+  };
+  Workers workers(options.jobs, options.stop);
+  for (Chain& chain : chains) {
+    chain.results = workers.start(chain.begin, chain.end, std::exchange(first, nullptr));
+  }
+  const auto first_missing =
+      file.scenes().begin() + static_cast<std::ptrdiff_t>(file.rows().size());
   for (Chain& chain : chains) {
     do {
       show_progress();
@@ -143,11 +162,11 @@ void simulate_missing_rows(SeriesFile& file, const SeriesOptions& options) {
 std::vector<Row> run_series(const std::vector<Scene>& scenes, const std::filesystem::path& file,
                             const SeriesOptions& options) {
   SeriesFile rows(file, scenes);
-  const std::size_t done = rows.rows().size();
-  if (done < scenes.size()) {
-    compose(scenes[done]);
+  std::deque<Chain> chains = missing_chains(rows);
+  if (!chains.empty()) {
+    SharedComposition first = compose_shared(*chains.front().begin);
     rows.open();
-    simulate_missing_rows(rows, options);
+    simulate_chains(std::move(chains), std::move(first), rows, options);
   }
   return rows.rows();
 }

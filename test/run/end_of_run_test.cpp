@@ -25,7 +25,7 @@ class SeparationEndOf : public testing::TestWithParam<Scene> {};
 TEST_P(SeparationEndOf, CollisionWaitsUntilTheDiskHasLeft) {
   const Scene& scene = GetParam();
   Composition composition = compose(scene);
-  const auto end = end_of_run(scene, composition);
+  const auto end = end_of_run(scene, composition, composition.resolution.step);
   Simulation simulation(std::move(composition.field), std::move(composition.initial),
                         composition.rates.lattice, composition.resolution.step);
   const double negligible = negligible_wall_energy(scene);
@@ -54,7 +54,7 @@ TEST(RestEnd, IsReachedOnlyAtRest) {
   scene.load.p = 0.01;
   scene.numerics.integrator = IntegratorKind::kVerlet;
   Composition composition = compose(scene);
-  const auto end = end_of_run(scene, composition);
+  const auto end = end_of_run(scene, composition, composition.resolution.step);
   Simulation simulation(std::move(composition.field), std::move(composition.initial),
                         composition.rates.lattice, composition.resolution.step);
   EXPECT_FALSE(end->reached(simulation));

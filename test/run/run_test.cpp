@@ -84,10 +84,25 @@ TEST(Collision, OfTheMirrorImageIsTheMirrorImage) {
   Composition mirrored = compose(scene);
   mirrored.lattice.points.col(0) *= -1.0;
   mirrored.initial.position.col(0) *= -1.0;
-  impact::Run run(scene, std::move(mirrored));
+  impact::Run run(scene, std::make_shared<const Composition>(std::move(mirrored)));
   const Restitution image = finish(run);
   EXPECT_NEAR(image.restitution, original.restitution, 1e-10);
   EXPECT_NEAR(image.spin_after, -original.spin_after, 1e-10);
+}
+
+/// Runs share the lattice of their composition and leave the composition as it was.
+TEST(Collision, RunsOfOneCompositionAreTheSame) {
+  Scene scene;
+  scene.disk.recipe.points = 100;
+  scene.wall.kind = WallKind::kLattice;
+  scene.wall.points = 120;
+  const auto composition = compose_shared(scene);
+  impact::Run first(scene, composition);
+  const Restitution answer = finish(first);
+  impact::Run second(scene, composition);
+  EXPECT_EQ(finish(second).restitution, answer.restitution);
+  EXPECT_EQ(&first.lattice(), &composition->lattice);
+  EXPECT_EQ(second.wall_lattice(), &*composition->wall_lattice);
 }
 
 /// Bit for bit, whether the step divides the period or not, or is longer than it.
@@ -135,11 +150,10 @@ TEST(Collision, StatesFollowTheOutputTimes) {
 
 TEST(Collision, StatesLandOnTheOutputTimes) {
   const Scene scene;
-  Composition composition = compose(scene);
-  ErrorControl control(scene, composition);
+  const auto composition = compose_shared(scene);
+  ErrorControl control(scene, *composition);
   control.find_resolution(composition, [] { return false; });
-  composition.resolution = control.resolution();
-  impact::Run run(scene, std::move(composition));
+  impact::Run run(scene, composition, control.resolution());
   for (int k = 1; k <= 50; ++k) {
     run.advance();
     EXPECT_NEAR(run.state().time, 0.02 * k, 1e-12);
@@ -164,7 +178,7 @@ TEST(Collision, ABlowUpStopsWithinAFewSteps) {
   composition.rates.lattice = {};
   composition.resolution.step = 0.1;
   composition.initial.position.row(500) += 0.01;  // sets the fastest modes going
-  impact::Run run(scene, std::move(composition));
+  impact::Run run(scene, std::make_shared<const Composition>(std::move(composition)));
   EXPECT_THROW(
       {
         while (!run.finished()) run.advance();
@@ -192,7 +206,7 @@ TEST(Collision, ThatNeverEndsIsGivenUpWithAFlag) {
   scene.disk.recipe.points = 20;
   Composition composition = compose(scene);
   composition.expected_time = 0.01;
-  impact::Run run(scene, std::move(composition));
+  impact::Run run(scene, std::make_shared<const Composition>(std::move(composition)));
   EXPECT_TRUE(std::isnan(finish(run).restitution));
   EXPECT_TRUE(run.has_flag("not_separated"));
 }
