@@ -1,6 +1,9 @@
 #include "mechanics/potential_wall.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "mechanics/kernels.hpp"
 
@@ -12,15 +15,20 @@ constexpr double kReach = 60.0;  // in units of 1/a
 }  // namespace
 
 void PotentialWall::add_forces(const PointArray& position, PointArray& force) {
+  constexpr Eigen::Index kAtOnce = 512;
+  std::array<std::int32_t, kAtOnce> low;
   clear();
-  in_reach_.resize(static_cast<std::size_t>(position.rows()));
-  const std::int64_t points =
-      kernels().find_low(position.col(1).data(), position.rows(), kReach / a(), in_reach_.data());
-  for (std::int64_t k = 0; k < points; ++k) {
-    const std::int32_t i = in_reach_[static_cast<std::size_t>(k)];
-    const double push = force_at(position(i, 1));
-    force(i, 1) += push;
-    count({0.0, push}, push);
+  const double reach = kReach / a();
+  const double* const heights = position.col(1).data();
+  for (Eigen::Index first = 0; first < position.rows(); first += kAtOnce) {
+    const std::int64_t points = kernels().find_low(
+        heights + first, std::min(kAtOnce, position.rows() - first), reach, low.data());
+    for (std::int64_t k = 0; k < points; ++k) {
+      const Eigen::Index i = first + low[static_cast<std::size_t>(k)];
+      const double push = force_at(heights[i]);
+      force(i, 1) += push;
+      count({0.0, push}, push);
+    }
   }
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "lattice/lattice.hpp"
@@ -25,9 +24,6 @@ class PotentialWall : public WallContact {
 
   /// The points that the wall pushes with more than `least_force` (M c²/R).
   std::vector<PointForce> contacts(const PointArray& position, double least_force) const;
-
- private:
-  std::vector<std::int32_t> in_reach_;  ///< work space of add_forces()
 };
 
 }  // namespace impact

@@ -103,7 +103,7 @@ BENCHMARK(step<IntegratorKind::kRk8pd>)->ArgName("eta")->Arg(0)->Arg(1);
 /// One run of the default impact, with the step that `auto` tries first, without the lattice.
 void run(benchmark::State& state) {
   const Scene scene;
-  const Composition start = compose(scene);
+  const auto start = compose_shared(scene);
   double evaluations = 0.0;
   for (auto _ : state) {
     Run run(scene, start);
@@ -131,7 +131,7 @@ void static_solution(benchmark::State& state) {
   Scene scene;
   scene.kind = SceneKind::kContact;
   scene.disk.recipe.points = static_cast<int>(state.range(0));
-  const Composition start = compose(scene);
+  const auto start = compose_shared(scene);
   double iterations = 0.0;
   for (auto _ : state) {
     Run run(scene, start);
