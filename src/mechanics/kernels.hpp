@@ -40,6 +40,24 @@ struct BondEvaluation {
 /// of their lists; without damping 0.
 using BondKernel = double (*)(const BondEvaluation&, std::int64_t first, std::int64_t end);
 
+/// Consecutive columns of a Cholesky factor, of about the same structure.
+struct Supernode {
+  std::int64_t first;  ///< column
+  std::int64_t width;
+  std::int64_t quads;  ///< rows of its panel/kQuad, the last ones filled up with zeros
+};
+
+/// Rows of a panel are stored in groups of this many.
+constexpr int kQuad = 4;
+
+/// A Cholesky factor, see PanelCholesky.
+struct Panels {
+  const Supernode* nodes;
+  std::int64_t count;
+  const std::int32_t* rows;  ///< of each panel; where there is none, the number of columns
+  const double* values;      ///< of each panel: quad after quad, of each its columns
+};
+
 struct Kernels {
   const char* name;
   BondKernel linear;
@@ -57,6 +75,9 @@ struct Kernels {
   /// Writes down the indices of the `size` heights that are not above the limit. Returns how many.
   std::int64_t (*find_low)(const double* heights, std::int64_t size, double limit,
                            std::int32_t* found);
+  /// Both substitutions. `pairs` are x and y of each row and of one more, 0; they become the
+  /// solution. `scratch` has 2 kQuad places a quad of the largest panel.
+  void (*substitute)(const Panels& panels, double* pairs, double* scratch);
 };
 
 extern const Kernels kPlainKernels;

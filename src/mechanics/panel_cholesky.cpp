@@ -5,21 +5,10 @@
 #include <algorithm>
 #include <cstddef>
 
-// For processors with AVX2 and for all others; the program chooses when it starts.
-#ifdef __x86_64__
-#define IMPACT_TARGETS __attribute__((target_clones("arch=x86-64-v3", "default")))
-#else
-#define IMPACT_TARGETS
-#endif
-
 namespace impact {
 namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
-using Supernode = PanelCholesky::Supernode;
-using Quad = PanelCholesky::Quad;
-
-constexpr std::int32_t kQuad = 4;
 
 std::int32_t entries(const SparseMatrix& lower, std::int32_t column) {
   return lower.outerIndexPtr()[column + 1] - lower.outerIndexPtr()[column];
@@ -62,103 +51,34 @@ std::vector<std::int32_t> find_supernodes(const SparseMatrix& lower) {
     groups.push_back(group);
   }
   std::vector<std::int32_t> first;
+  first.reserve(groups.size() + 1);
   for (const Group& group : groups) first.push_back(group.first);
   first.push_back(static_cast<std::int32_t>(lower.outerSize()));
   return first;
 }
 
-double sum(const Quad& quad) { return (quad.of[0] + quad.of[1]) + (quad.of[2] + quad.of[3]); }
-
-/// The forward substitution of one supernode; `work` holds x and y of each row, `own` those of the
-/// supernode as they were.
-IMPACT_TARGETS
-void forward(const Supernode& node, const Quad* panel, const std::int32_t* rows, double* work,
-             double* own) {
-  double* const solved = work + 2 * node.first;
-  std::copy(solved, solved + 2 * node.width, own);
-  std::fill(solved, solved + 2 * node.width, 0.0);
-  for (std::int32_t quad = 0; quad < node.quads; ++quad) {
-    Quad x{};
-    Quad y{};
-    const std::int32_t end = std::min(node.width, kQuad * (quad + 1));  // Q₁ is triangular
-    for (std::int32_t k = 0; k < end; ++k) {
-      x.of += panel[k].of * own[2 * k];
-      y.of += panel[k].of * own[2 * k + 1];
-    }
-    for (std::int32_t r = 0; r < kQuad; ++r) {
-      double* const row = work + 2 * rows[r];
-      row[0] += x.of[r];
-      row[1] += y.of[r];
-    }
-    panel += node.width;
-    rows += kQuad;
-  }
-}
-
-/// The backward substitution of one supernode; `right` holds x and y of the rows of each quad.
-IMPACT_TARGETS
-void backward(const Supernode& node, const Quad* panel, const std::int32_t* rows, double* work,
-              Quad* right) {
-  for (std::int32_t quad = 0; quad < node.quads; ++quad) {
-    for (std::int32_t r = 0; r < kQuad; ++r) {
-      const double* const row = work + 2 * rows[r];
-      right[2 * quad].of[r] = row[0];
-      right[2 * quad + 1].of[r] = row[1];
-    }
-    rows += kQuad;
-  }
-  double* const own = work + 2 * node.first;
-  constexpr std::int32_t kTogether = 4;
-  std::int32_t k = 0;
-  for (; k + kTogether <= node.width; k += kTogether) {
-    Quad x[kTogether]{};
-    Quad y[kTogether]{};
-    for (std::int32_t quad = k / kQuad; quad < node.quads; ++quad) {  // Q₁ is triangular
-      const Quad* const columns = panel + quad * node.width + k;
-      for (std::int32_t c = 0; c < kTogether; ++c) {
-        x[c].of += columns[c].of * right[2 * quad].of;
-        y[c].of += columns[c].of * right[2 * quad + 1].of;
-      }
-    }
-    for (std::int32_t c = 0; c < kTogether; ++c) {
-      own[2 * (k + c)] = sum(x[c]);
-      own[2 * (k + c) + 1] = sum(y[c]);
-    }
-  }
-  for (; k < node.width; ++k) {
-    Quad x{};
-    Quad y{};
-    for (std::int32_t quad = k / kQuad; quad < node.quads; ++quad) {
-      x.of += panel[quad * node.width + k].of * right[2 * quad].of;
-      y.of += panel[quad * node.width + k].of * right[2 * quad + 1].of;
-    }
-    own[2 * k] = sum(x);
-    own[2 * k + 1] = sum(y);
-  }
-}
-
 }  // namespace
 
-PanelCholesky::PanelCholesky(const SparseMatrix& matrix) {
+PanelCholesky::PanelCholesky(const SparseMatrix& matrix, const Kernels& kernels)
+    : kernels_(&kernels) {
   const Eigen::SimplicialLLT<SparseMatrix> factorisation(matrix);
   const SparseMatrix& lower = factorisation.matrixL().nestedExpression();
   const auto& order = factorisation.permutationP().indices();
   place_.assign(order.data(), order.data() + order.size());
   const std::vector<std::int32_t> first = find_supernodes(lower);
-  std::int32_t most_quads = 0;
+  std::int64_t most_quads = 0;
   for (std::size_t k = 0; k + 1 < first.size(); ++k) {
     add_panel(lower, first[k], first[k + 1] - first[k]);
     most_quads = std::max(most_quads, supernodes_.back().quads);
   }
-  work_.resize(2 * (place_.size() + 1));
-  own_.resize(2 * kQuad * static_cast<std::size_t>(most_quads));
-  right_.resize(2 * static_cast<std::size_t>(most_quads));
+  pairs_.resize(2 * (place_.size() + 1));
+  scratch_.resize(2 * static_cast<std::size_t>(kQuad * most_quads));
 }
 
 void PanelCholesky::add_panel(const SparseMatrix& lower, std::int32_t first, std::int32_t width) {
   const std::int32_t below = entries(lower, first + width - 1) - 1;
   const std::int32_t* const rows_below = rows_of(lower, first + width - 1) + 1;
-  const std::int32_t quads = (width + below + kQuad - 1) / kQuad;
+  const Eigen::Index quads = (width + below + kQuad - 1) / kQuad;
   supernodes_.push_back({first, width, quads});
   for (std::int32_t k = 0; k < width; ++k) rows_.push_back(first + k);
   rows_.insert(rows_.end(), rows_below, rows_below + below);
@@ -180,10 +100,10 @@ void PanelCholesky::add_panel(const SparseMatrix& lower, std::int32_t first, std
   dense.topRows(width).triangularView<Eigen::Lower>().solveInPlace(panel.topRows(width));
   panel.bottomRows(kQuad * quads - width).noalias() =
       -dense.bottomRows(kQuad * quads - width) * panel.topRows(width);
-  for (std::int32_t quad = 0; quad < quads; ++quad) {
+  for (Eigen::Index quad = 0; quad < quads; ++quad) {
     for (std::int32_t k = 0; k < width; ++k) {
-      const auto four = panel.col(k).segment<kQuad>(kQuad * quad);
-      panels_.push_back({Quad::Vector{four[0], four[1], four[2], four[3]}});
+      const double* const four = &panel(kQuad * quad, k);
+      values_.insert(values_.end(), four, four + kQuad);
     }
   }
 }
@@ -191,24 +111,17 @@ void PanelCholesky::add_panel(const SparseMatrix& lower, std::int32_t first, std
 void PanelCholesky::solve(PointArray& b) {
   const Eigen::Index size = b.rows();
   for (Eigen::Index i = 0; i < size; ++i) {
-    double* const row = work_.data() + 2 * place_[static_cast<std::size_t>(i)];
+    double* const row = pairs_.data() + std::ptrdiff_t{2} * place_[static_cast<std::size_t>(i)];
     row[0] = b(i, 0);
     row[1] = b(i, 1);
   }
-  const Quad* panel = panels_.data();
-  const std::int32_t* rows = rows_.data();
-  for (const Supernode& node : supernodes_) {
-    forward(node, panel, rows, work_.data(), own_.data());
-    panel += node.width * node.quads;
-    rows += kQuad * node.quads;
-  }
-  for (auto node = supernodes_.rbegin(); node != supernodes_.rend(); ++node) {
-    panel -= node->width * node->quads;
-    rows -= kQuad * node->quads;
-    backward(*node, panel, rows, work_.data(), right_.data());
-  }
+  pairs_[pairs_.size() - 2] = pairs_.back() = 0.0;
+  kernels_->substitute({supernodes_.data(), static_cast<std::int64_t>(supernodes_.size()),
+                        rows_.data(), values_.data()},
+                       pairs_.data(), scratch_.data());
   for (Eigen::Index i = 0; i < size; ++i) {
-    const double* const row = work_.data() + 2 * place_[static_cast<std::size_t>(i)];
+    const double* const row =
+        pairs_.data() + std::ptrdiff_t{2} * place_[static_cast<std::size_t>(i)];
     b(i, 0) = row[0];
     b(i, 1) = row[1];
   }

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <string>
 
 namespace impact {
 namespace {
@@ -25,9 +27,9 @@ double backward_error(const SparseMatrix& matrix, const PointArray& u, const Poi
   return residual / (largest_row * u.abs().maxCoeff()) / std::numeric_limits<double>::epsilon();
 }
 
-void expect_solved(const SparseMatrix& matrix) {
+void expect_solved(const SparseMatrix& matrix, const Kernels& kernels) {
   const PointArray b = some_columns(matrix.rows());
-  PanelCholesky cholesky(matrix);
+  PanelCholesky cholesky(matrix, kernels);
   for (int repetition = 0; repetition < 2; ++repetition) {
     PointArray u = b;
     cholesky.solve(u);
@@ -35,22 +37,28 @@ void expect_solved(const SparseMatrix& matrix) {
   }
 }
 
+class EveryPanelKernel : public testing::TestWithParam<const Kernels*> {
+  void SetUp() override {
+    if (!can_run(*GetParam())) GTEST_SKIP() << "not on this processor";
+  }
+};
+
 /// One supernode of every width.
-TEST(PanelCholesky, SolvesDenseSystems) {
+TEST_P(EveryPanelKernel, SolvesDenseSystems) {
   for (Eigen::Index size = 1; size <= 13; ++size) {
     const Eigen::MatrixXd root = Eigen::MatrixXd::Random(size, size);
     const Eigen::MatrixXd matrix = root * root.transpose() + Eigen::MatrixXd::Identity(size, size);
-    expect_solved(matrix.sparseView());
+    expect_solved(matrix.sparseView(), *GetParam());
   }
 }
 
 /// No supernode has rows below it.
-TEST(PanelCholesky, DividesByADiagonal) {
+TEST_P(EveryPanelKernel, DividesByADiagonal) {
   SparseMatrix matrix(9, 9);
   for (int i = 0; i < 9; ++i) matrix.insert(i, i) = std::ldexp(1.0, i - 4);
   const PointArray b = some_columns(9);
   PointArray u = b;
-  PanelCholesky(matrix).solve(u);
+  PanelCholesky(matrix, *GetParam()).solve(u);
   for (int i = 0; i < 9; ++i) {
     // The root of an odd power of two is rounded, and so is its square.
     EXPECT_NEAR(u(i, 0), std::ldexp(b(i, 0), 4 - i), 1e-15 * std::ldexp(1.0, 4 - i));
@@ -60,7 +68,7 @@ TEST(PanelCholesky, DividesByADiagonal) {
 
 /// 1 + s L with the Laplacian L of a square grid, from nearly 1 to nearly singular: supernodes of
 /// many widths, over each other.
-TEST(PanelCholesky, SolvesSystemsOfAGrid) {
+TEST_P(EveryPanelKernel, SolvesSystemsOfAGrid) {
   constexpr int kSide = 23;
   for (const double scale : {1e-3, 1.0, 1e6}) {
     SparseMatrix matrix(kSide * kSide, kSide * kSide);
@@ -75,12 +83,12 @@ TEST(PanelCholesky, SolvesSystemsOfAGrid) {
       if (i % kSide != 0) bond(i - 1, i);
       if (i >= kSide) bond(i - kSide, i);
     }
-    expect_solved(matrix);
+    expect_solved(matrix, *GetParam());
   }
 }
 
 /// Pieces without a bond between them: the elimination tree is a forest.
-TEST(PanelCholesky, SolvesSystemsOfSeveralPieces) {
+TEST_P(EveryPanelKernel, SolvesSystemsOfSeveralPieces) {
   SparseMatrix matrix(30, 30);
   matrix.setIdentity();
   for (int i = 0; i < 30; i += 3) {
@@ -90,15 +98,15 @@ TEST(PanelCholesky, SolvesSystemsOfSeveralPieces) {
       matrix.coeffRef(i + k + 1, i + k) = -1.0;
     }
   }
-  expect_solved(matrix);
+  expect_solved(matrix, *GetParam());
 }
 
 /// What is in one column does not touch the other.
-TEST(PanelCholesky, SolvesEachColumnForItself) {
+TEST_P(EveryPanelKernel, SolvesEachColumnForItself) {
   SparseMatrix matrix(5, 5);
   matrix.setIdentity();
   for (int i = 0; i < 4; ++i) matrix.coeffRef(i, i + 1) = matrix.coeffRef(i + 1, i) = -0.4;
-  PanelCholesky cholesky(matrix);
+  PanelCholesky cholesky(matrix, *GetParam());
   PointArray both = some_columns(5);
   PointArray swapped = both.rowwise().reverse();
   PointArray alone = both;
@@ -111,6 +119,28 @@ TEST(PanelCholesky, SolvesEachColumnForItself) {
   EXPECT_TRUE((both.col(0) == alone.col(0)).all());
   EXPECT_TRUE((alone.col(1) == 0.0).all());
 }
+
+/// The row that fills up the panels forgets what was not finite.
+TEST_P(EveryPanelKernel, ForgetsWhatWasNotFinite) {
+  SparseMatrix matrix(3, 3);
+  matrix.setIdentity();
+  PanelCholesky cholesky(matrix, *GetParam());
+  PointArray lost = PointArray::Constant(3, 2, std::nan(""));
+  cholesky.solve(lost);
+  EXPECT_TRUE(lost.isNaN().all());
+  const PointArray b = some_columns(3);
+  PointArray u = b;
+  cholesky.solve(u);
+  EXPECT_TRUE((u == b).all());
+}
+
+INSTANTIATE_TEST_SUITE_P(InstructionSets, EveryPanelKernel,
+                         testing::Values(&kPlainKernels, &kAvx2Kernels, &kAvx512Kernels),
+                         [](const auto& info) {
+                           std::string name = info.param->name;
+                           name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace impact
