@@ -73,7 +73,7 @@ double longest_step(const Scene& scene, IntegratorKind integrator, const Rates& 
 
 /// Time of a step, in force evaluations.
 double cost_of_step(IntegratorKind integrator) {
-  constexpr double kSolution = 1.3;  // of the damping's linear system
+  constexpr double kSolution = 2.4;  // of the damping's linear system
   switch (integrator) {
     case IntegratorKind::kBlanesMoan:
       return 11.0;
