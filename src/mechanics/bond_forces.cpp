@@ -16,7 +16,7 @@ BondForces::BondForces(const Lattice& lattice, const BondLaw& law, const Kernels
     : law_(law),
       kernels_(&kernels),
       table_(table_of(lattice)),
-      position_pairs_(static_cast<std::size_t>(2 * kSlice * table_->slices()), 0.0),
+      position_pairs_(static_cast<std::size_t>(kSlice * table_->slices()) * 2, 0.0),
       velocity_pairs_(damped() ? position_pairs_.size() : 0, 0.0) {}
 
 std::shared_ptr<const BondForces::Table> BondForces::table_of(const Lattice& lattice) {
@@ -45,7 +45,7 @@ std::shared_ptr<const BondForces::Table> BondForces::table_of(const Lattice& lat
   }
   std::fill(bonds_of.begin(), bonds_of.end(), 0);
   const auto enter = [&](std::int32_t point, std::int32_t other, double natural_length) {
-    const std::int32_t row = table->begin[static_cast<std::size_t>(point / kSlice)] +
+    const std::int64_t row = table->begin[static_cast<std::size_t>(point / kSlice)] +
                              bonds_of[static_cast<std::size_t>(point)]++;
     const auto place = static_cast<std::size_t>(row * kSlice + point % kSlice);
     table->end[place] = other;
@@ -95,7 +95,7 @@ void BondForces::for_each_bond(Eigen::Index first, Eigen::Index end, const Use& 
   for (Eigen::Index i = first; i < end; ++i) {
     const auto slice = static_cast<std::size_t>(i / kSlice);
     for (std::int32_t row = table_->begin[slice]; row < table_->begin[slice + 1]; ++row) {
-      const auto place = static_cast<std::size_t>(row * kSlice + i % kSlice);
+      const auto place = static_cast<std::size_t>(std::int64_t{row} * kSlice + i % kSlice);
       const std::int32_t j = table_->end[place];
       if (j > i) use(static_cast<std::int32_t>(i), j, table_->natural_length[place]);
     }

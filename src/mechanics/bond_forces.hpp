@@ -67,7 +67,7 @@ class BondForces {
 
   /// See BondRows. Shared by all copies, since it never changes.
   struct Table {
-    Eigen::Index points;
+    Eigen::Index points = 0;
     std::vector<std::int32_t> begin;
     Aligned<std::int32_t> end;
     Aligned<double> natural_length;

@@ -15,8 +15,8 @@ constexpr double kReach = 60.0;  // in units of 1/a
 }  // namespace
 
 void PotentialWall::add_forces(const PointArray& position, PointArray& force) {
-  constexpr Eigen::Index kAtOnce = 512;
-  std::array<std::int32_t, kAtOnce> low;
+  constexpr Eigen::Index kAtOnce = 256;
+  std::array<std::int32_t, kAtOnce> low{};
   clear();
   const double reach = kReach / a();
   const double* const heights = position.col(1).data();
