@@ -31,14 +31,17 @@ constexpr std::array<double, kDrifts + 1> kKick{kB1, kB2, kB3, kB4, kB5, kB6,
 
 }  // namespace
 
-void BlanesMoan::restart(ForceField& field, const State& state) {
+template <class Field>
+void BasicBlanesMoan<Field>::restart(Field& field, const State& state) {
   if (field.damped()) throw std::invalid_argument("BlanesMoan: forces depend on velocities");
-  force_.resizeLike(state.position);
+  field.resize(force_);
   field.evaluate(state.position, state.velocity, force_);
 }
 
-Losses BlanesMoan::step(ForceField& field, State& state, double h) {
-  const double h_by_mass = h / field.point_mass;
+template <class Field>
+typename Field::Losses BasicBlanesMoan<Field>::step(Field& field, State& state,
+                                                    typename Field::Step h) {
+  const typename Field::Number h_by_mass = h / field.point_mass;
   for (std::size_t i = 0; i < kDrifts; ++i) {
     kick_and_drift(kKick[i] * h_by_mass, force_, kDrift[i] * h, state.velocity, state.position);
     field.evaluate(state.position, state.velocity, force_);
@@ -47,8 +50,12 @@ Losses BlanesMoan::step(ForceField& field, State& state, double h) {
   return {};
 }
 
-double BlanesMoan::step_limit(double omega_squared, double /*gamma*/) const {
+template <class Field>
+double BasicBlanesMoan<Field>::step_limit(double omega_squared, double /*gamma*/) const {
   return kLimit / std::sqrt(omega_squared);
 }
+
+template class BasicBlanesMoan<ForceField>;
+template class BasicBlanesMoan<LaneField>;
 
 }  // namespace impact

@@ -14,19 +14,23 @@ namespace impact {
 /// The harmonic oscillator of frequency ω is stable up to ω h = 9.07, save for two narrow
 /// resonances: 3.1415 … 3.1424, where it grows by at most 5·10⁻⁴ a step, and 6.3479 … 6.3493, by
 /// 7·10⁻⁴. In an impact, some hundred steps long, they do not show.
-class BlanesMoan : public Integrator {
+template <class Field>
+class BasicBlanesMoan : public FixedStepIntegrator<Field> {
  public:
   static constexpr int kOrder = 6;
   static constexpr double kLimit = 9.07;  ///< of ω h
+  using State = typename Field::State;
 
   /// @throw std::invalid_argument when the field is damped.
-  void restart(ForceField& field, const State& state) override;
-  void take_velocity(ForceField& /*field*/, const State& /*state*/) override {}
-  Losses step(ForceField& field, State& state, double h) override;
+  void restart(Field& field, const State& state) override;
+  void take_velocity(Field& /*field*/, const State& /*state*/) override {}
+  typename Field::Losses step(Field& field, State& state, typename Field::Step h) override;
   double step_limit(double omega_squared, double gamma) const override;
 
  private:
-  PointArray force_;
+  using FixedStepIntegrator<Field>::force_;
 };
+
+using BlanesMoan = BasicBlanesMoan<ForceField>;
 
 }  // namespace impact

@@ -59,8 +59,15 @@ std::shared_ptr<const BondForces::Table> BondForces::table_of(const Lattice& lat
   return table;
 }
 
+BondForces BondForces::with(const BondLaw& law) const {
+  BondForces changed = *this;
+  changed.law_ = law;
+  changed.velocity_pairs_.assign(changed.damped() ? position_pairs_.size() : 0, 0.0);
+  return changed;
+}
+
 void BondForces::pair_up(const PointArray& points, Aligned<double>& pairs) const {
-  kernels_->pair_up(points.data(), points.data() + points.rows(), 0, points.rows(), pairs.data());
+  kernels_->pair_up(points.data(), points.data() + points.rows(), points.rows(), pairs.data());
 }
 
 double BondForces::evaluate(bool damped, const PointArray& position, PointArray& force) {

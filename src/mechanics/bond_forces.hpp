@@ -56,6 +56,10 @@ class BondForces {
   std::vector<Eigen::Triplet<double>> stiffness(const PointArray& position) const;
 
   bool damped() const { return law_.eta != 0.0; }
+  const BondLaw& law() const { return law_; }
+
+  /// The same bonds with other constants.
+  BondForces with(const BondLaw& law) const;
 
   /// "bonds", with what the law has besides the linear spring: "bonds (cubic, damped)".
   std::string name() const;

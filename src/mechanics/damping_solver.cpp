@@ -4,21 +4,28 @@
 
 namespace impact {
 
-DampingSolver::DampingSolver(const ForceField& field, double scale) {
-  const auto matrix = [&](int axis) {
-    std::vector<Eigen::Triplet<double>> entries;
-    for (const Eigen::Triplet<double>& entry : field.damping(axis)) {
-      entries.emplace_back(entry.row(), entry.col(), scale / field.point_mass * entry.value());
-    }
-    const auto points = static_cast<std::int32_t>(field.bonds.points());
-    for (std::int32_t i = 0; i < points; ++i) entries.emplace_back(i, i, 1.0);
-    Eigen::SparseMatrix<double> sum(points, points);
-    sum.setFromTriplets(entries.begin(), entries.end());
-    return sum;
-  };
-  factors_.emplace_back(matrix(0));
-  if (field.viscous_boundary || field.supports) factors_.emplace_back(matrix(1));
-  if (factors_.size() > 1) y_solution_.resize(field.bonds.points(), 2);
+Eigen::SparseMatrix<double> damping_matrix(const ForceField& field, int axis, double scale) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Eigen::Triplet<double>& entry : field.damping(axis)) {
+    entries.emplace_back(entry.row(), entry.col(), scale / field.point_mass * entry.value());
+  }
+  const auto points = static_cast<std::int32_t>(field.bonds.points());
+  for (std::int32_t i = 0; i < points; ++i) entries.emplace_back(i, i, 1.0);
+  Eigen::SparseMatrix<double> sum(points, points);
+  sum.setFromTriplets(entries.begin(), entries.end());
+  return sum;
+}
+
+void DampingSolver::prepare(const ForceField& field, double scale) {
+  if (scale == scale_) return;
+  scale_ = scale;
+  factors_.clear();
+  hold_direction_.resize(0, 2);
+  factors_.emplace_back(damping_matrix(field, 0, scale));
+  if (field.viscous_boundary || field.supports) {
+    factors_.emplace_back(damping_matrix(field, 1, scale));
+    y_solution_.resize(field.bonds.points(), 2);
+  }
   if (!field.hold) return;
   PointArray response = field.hold->direction();
   solve(response);

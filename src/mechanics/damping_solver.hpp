@@ -1,11 +1,15 @@
 #pragma once
 
+#include <Eigen/SparseCore>
 #include <vector>
 
 #include "mechanics/force_field.hpp"
 #include "mechanics/panel_cholesky.hpp"
 
 namespace impact {
+
+/// 1 + s D/m with the damping D along one axis (0: x, 1: y), see ForceField::damping(); s in R/c.
+Eigen::SparseMatrix<double> damping_matrix(const ForceField& field, int axis, double scale);
 
 /// Solves (1 + s D/m) u = r for the velocities u of all points, with the constant matrix D of the
 /// field's damping. Where the field holds the rotation or supports coordinates, u keeps the
@@ -15,13 +19,14 @@ namespace impact {
 /// through it together.
 class DampingSolver {
  public:
-  /// `scale`: s in R/c.
-  DampingSolver(const ForceField& field, double scale);
+  /// Factorises the matrix of this field with this s (R/c), unless it has done so last.
+  void prepare(const ForceField& field, double scale);
 
   /// Overwrites r with u.
   void solve(PointArray& velocity);
 
  private:
+  double scale_ = 0.0;
   std::vector<PanelCholesky> factors_;  ///< one for both axes, or one for each
   PointArray y_solution_;               ///< with the factor of the y axis, where it has its own
   PointArray hold_direction_;           ///< empty: rotation not held

@@ -4,19 +4,23 @@
 
 namespace impact {
 
-void ExtrapolatedDamping::restart(ForceField& field, const State& state) {
-  columns_[0].integrator.restart(field, state);
+template <class Field>
+void BasicExtrapolatedDamping<Field>::restart(Field& field, const State& state) {
+  field.resize(force_);
+  field.evaluate_undamped(state.position, force_);
 }
 
-Losses ExtrapolatedDamping::step(ForceField& field, State& state, double h) {
-  columns_[1].integrator.start_like(columns_[0].integrator);
-  columns_[2].integrator.start_like(columns_[0].integrator);
+template <class Field>
+typename Field::Losses BasicExtrapolatedDamping<Field>::step(Field& field, State& state,
+                                                             typename Field::Step h) {
   for (Column& column : columns_) {
+    column.integrator.start_with(force_);
     column.state.position = state.position;
     column.state.velocity = state.velocity;
     column.losses = {};
     for (int part = 0; part < column.parts; ++part) {
-      const Losses lost = column.integrator.step(field, column.state, h / column.parts);
+      const typename Field::Losses lost =
+          column.integrator.step(field, column.state, h / column.parts);
       column.losses.dissipated += lost.dissipated;
       column.losses.absorbed += lost.absorbed;
     }
@@ -30,21 +34,30 @@ Losses ExtrapolatedDamping::step(ForceField& field, State& state, double h) {
   const Column& best = columns_.back();
   state.position = best.state.position;
   state.velocity = best.state.velocity;
-  columns_[0].integrator.restart(field, state);
+  field.evaluate_undamped(state.position, force_);
   return best.losses;
 }
 
-void ExtrapolatedDamping::extrapolate(const Column& coarse, double weight, Column& fine) {
-  fine.state.position += weight * (fine.state.position - coarse.state.position);
-  fine.state.velocity += weight * (fine.state.velocity - coarse.state.velocity);
-  fine.losses.dissipated += weight * (fine.losses.dissipated - coarse.losses.dissipated);
-  fine.losses.absorbed += weight * (fine.losses.absorbed - coarse.losses.absorbed);
+template <class Field>
+void BasicExtrapolatedDamping<Field>::extrapolate(const Column& coarse, double weight,
+                                                  Column& fine) {
+  const auto improve = [weight](const auto& of_coarse, auto&& of_fine) {
+    of_fine += weight * (of_fine - of_coarse);
+  };
+  improve(coarse.state.position.array(), fine.state.position.array());
+  improve(coarse.state.velocity.array(), fine.state.velocity.array());
+  improve(coarse.losses.dissipated, fine.losses.dissipated);
+  improve(coarse.losses.absorbed, fine.losses.absorbed);
 }
 
-double ExtrapolatedDamping::step_limit(double omega_squared, double gamma) const {
+template <class Field>
+double BasicExtrapolatedDamping<Field>::step_limit(double omega_squared, double gamma) const {
   const double omega = std::sqrt(omega_squared);
   return gamma >= kEnoughDamping * kDampedLimit * omega ? kDampedLimit / omega
                                                         : kUndampedLimit / omega;
 }
+
+template class BasicExtrapolatedDamping<ForceField>;
+template class BasicExtrapolatedDamping<LaneField>;
 
 }  // namespace impact

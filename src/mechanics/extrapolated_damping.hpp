@@ -18,24 +18,28 @@ namespace impact {
 /// 64/45 of this sequence leave of it 43/45 at most, however strong the damping. Without damping a
 /// mode grows by less than 10⁻³ a step up to ω h = 1.5; with γ ≥ 0.03 ω² h, as all modes of a
 /// lattice have whose bonds are damped that much, all is stable up to ω h = 3.
-class ExtrapolatedDamping : public Integrator {
+template <class Field>
+class BasicExtrapolatedDamping : public FixedStepIntegrator<Field> {
  public:
   static constexpr int kOrder = 6;
   static constexpr double kUndampedLimit = 1.5;   ///< of ω h
   static constexpr double kDampedLimit = 3.0;     ///< of ω h
   static constexpr double kEnoughDamping = 0.03;  ///< of γ/(ω² h)
+  using State = typename Field::State;
 
-  void restart(ForceField& field, const State& state) override;
-  void take_velocity(ForceField& /*field*/, const State& /*state*/) override {}
-  Losses step(ForceField& field, State& state, double h) override;
+  void restart(Field& field, const State& state) override;
+  void take_velocity(Field& /*field*/, const State& /*state*/) override {}
+  typename Field::Losses step(Field& field, State& state, typename Field::Step h) override;
   double step_limit(double omega_squared, double gamma) const override;
 
  private:
+  using FixedStepIntegrator<Field>::force_;  ///< without damping
+
   struct Column {
     int parts;
-    ImplicitDamping integrator;
+    BasicImplicitDamping<Field> integrator;
     State state;
-    Losses losses;
+    typename Field::Losses losses;
   };
   /// Removes the leading error that both columns have.
   static void extrapolate(const Column& coarse, double weight, Column& fine);
@@ -43,5 +47,7 @@ class ExtrapolatedDamping : public Integrator {
   std::array<Column, 3> columns_{Column{1, {}, {}, {}}, Column{2, {}, {}, {}},
                                  Column{4, {}, {}, {}}};
 };
+
+using ExtrapolatedDamping = BasicExtrapolatedDamping<ForceField>;
 
 }  // namespace impact

@@ -9,24 +9,30 @@
 #include "mechanics/bond_forces.hpp"
 #include "mechanics/compression_load.hpp"
 #include "mechanics/elastic_wall.hpp"
+#include "mechanics/losses.hpp"
 #include "mechanics/potential_wall.hpp"
 #include "mechanics/rotation_hold.hpp"
+#include "mechanics/state.hpp"
 #include "mechanics/supports.hpp"
 #include "mechanics/velocity_reset.hpp"
 #include "mechanics/viscous_boundary.hpp"
 
 namespace impact {
 
-/// What leaves the motion: energy in M c², or power in M c³/R.
-struct Losses {
-  double dissipated = 0.0;  ///< by the damping of the bonds
-  double absorbed = 0.0;    ///< at the boundary of an elastic wall
-};
+class DampingSolver;
 
 /// All that acts on the points of one scene: its bonds and, only if the scene has them, a wall, a
 /// load, constraints and a boundary. All arrays have one row a point: those of the disk and, after
 /// them, those of an elastic wall.
 struct ForceField {
+  /// By which integrators know what they move.
+  using Number = double;
+  using Step = double;
+  using Points = PointArray;
+  using State = impact::State;
+  using Losses = impact::Losses;
+  using DampingSolver = impact::DampingSolver;
+
   BondForces bonds;
   double point_mass = 1.0;       ///< M
   Eigen::Index wall_points = 0;  ///< the last rows of all arrays, those of an elastic wall
@@ -62,6 +68,13 @@ struct ForceField {
 
   /// Whether forces depend on velocities.
   bool damped() const { return bonds.damped() || viscous_boundary; }
+
+  void resize(PointArray& all_points) const { all_points.resize(bonds.points(), 2); }
+
+  /// The power that a viscous boundary would absorb at these velocities (M c³/R).
+  double boundary_power(const PointArray& velocity) const {
+    return viscous_boundary ? viscous_boundary->power(velocity) : 0.0;
+  }
 
   /// The wall that the scene has; none: nullptr.
   const WallContact* contact() const;

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <optional>
-
 #include "mechanics/damping_solver.hpp"
 #include "mechanics/integrator.hpp"
+#include "mechanics/lane_damping_solver.hpp"
 
 namespace impact {
 
@@ -12,7 +11,7 @@ namespace impact {
 /// constant damping matrix:
 ///   (1 + h D/2m) v½ = vₙ + h aₙ/2
 ///   xₙ₊₁ = xₙ + h v½
-///   vₙ₊₁ = v½ + h aₙ₊₁/2 − h D v½/2m = 2 v½ − vₙ + h (aₙ₊₁ − aₙ)/2
+///   vₙ₊₁ = v½ − h D v½/2m + h aₙ₊₁/2,   h D v½/2m = vₙ + h aₙ/2 − v½
 /// The two half steps of the velocity are implicit and explicit Euler steps of the damping, adjoint
 /// to each other: the scheme is symmetric and of order 2 (the Crank–Nicolson treatment of damping
 /// in a leapfrog; E. Hairer, C. Lubich and G. Wanner, Geometric Numerical Integration, 2006,
@@ -20,24 +19,27 @@ namespace impact {
 /// Cholesky factor is made anew when h changes. Without damping it is velocity Verlet.
 ///
 /// Stable for ω h < 2, whatever the damping.
-class ImplicitDamping : public Integrator {
+template <class Field>
+class BasicImplicitDamping : public FixedStepIntegrator<Field> {
  public:
   static constexpr int kOrder = 2;
+  using State = typename Field::State;
 
-  void restart(ForceField& field, const State& state) override;
-  void take_velocity(ForceField& /*field*/, const State& /*state*/) override {}
-  Losses step(ForceField& field, State& state, double h) override;
+  void restart(Field& field, const State& state) override;
+  void take_velocity(Field& /*field*/, const State& /*state*/) override {}
+  typename Field::Losses step(Field& field, State& state, typename Field::Step h) override;
   double step_limit(double omega_squared, double gamma) const override;
 
-  /// Takes over the force from one at the same state.
-  void start_like(const ImplicitDamping& other) { force_ = other.force_; }
+  /// Begins with this force at the present state, without damping.
+  void start_with(const typename Field::Points& force) { force_ = force; }
 
  private:
-  PointArray force_;  ///< without damping
-  PointArray middle_velocity_;
-  PointArray start_;  ///< vₙ + h aₙ/2
-  std::optional<DampingSolver> solver_;
-  double solver_step_ = 0.0;
+  using FixedStepIntegrator<Field>::force_;  ///< without damping
+  typename Field::Points middle_velocity_;
+  typename Field::Points damping_;  ///< h D v½/2m
+  typename Field::DampingSolver solver_;
 };
+
+using ImplicitDamping = BasicImplicitDamping<ForceField>;
 
 }  // namespace impact

@@ -1,30 +1,57 @@
 #pragma once
 
 #include "mechanics/force_field.hpp"
+#include "mechanics/lane_field.hpp"
 #include "mechanics/state.hpp"
 
 namespace impact {
 
-/// A method that moves the points of a field forward in time. It keeps what it needs of the forces
-/// at the present state, so that one integrator belongs to one field and one state.
-class Integrator {
+/// What a method says of its steps.
+class StepBound {
  public:
-  virtual ~Integrator() = default;
-
-  /// Takes in the initial state.
-  virtual void restart(ForceField& field, const State& state) = 0;
-
-  /// Takes in velocities that were changed from outside.
-  virtual void take_velocity(ForceField& field, const State& state) = 0;
-
-  /// Advances position and velocity by h (R/c); leaves time and step count to the caller. The last
-  /// evaluation of the field is then the one at the new position. Returns the energy lost on the
-  /// way (M c²).
-  virtual Losses step(ForceField& field, State& state, double h) = 0;
+  virtual ~StepBound() = default;
 
   /// Largest stable step (R/c) for modes up to frequency² `omega_squared` (c²/R²) and damping rate
   /// up to `gamma` (c/R); infinite where stability sets none.
   virtual double step_limit(double omega_squared, double gamma) const = 0;
+};
+
+/// A method that moves the points of a field forward in time: of one run (ForceField), or of kLanes
+/// runs side by side (LaneField), each with a step of its own. It keeps what it needs of the forces
+/// at the present state, so that one integrator belongs to one field and one state.
+template <class Field>
+class BasicIntegrator : public StepBound {
+ public:
+  /// Takes in the initial state.
+  virtual void restart(Field& field, const typename Field::State& state) = 0;
+
+  /// Takes in velocities that were changed from outside.
+  virtual void take_velocity(Field& field, const typename Field::State& state) = 0;
+
+  /// Advances position and velocity by h (R/c); leaves time and step count to the caller. The last
+  /// evaluation of the field is then the one at the new position. Returns the energy lost on the
+  /// way (M c²).
+  virtual typename Field::Losses step(Field& field, typename Field::State& state,
+                                      typename Field::Step h) = 0;
+};
+
+using Integrator = BasicIntegrator<ForceField>;
+
+/// A method of fixed step. From step to step it only keeps the forces at the present state.
+template <class Field>
+class FixedStepIntegrator : public BasicIntegrator<Field> {
+ public:
+  /// Takes over one run from an integrator of the same kind that was restarted with it in the same
+  /// lane.
+  void take_lane(const FixedStepIntegrator& other, int lane) {
+    force_.lane(lane) = other.force_.lane(lane);
+    power_.dissipated(lane) = other.power_.dissipated(lane);
+    power_.absorbed(lane) = other.power_.absorbed(lane);
+  }
+
+ protected:
+  typename Field::Points force_;
+  typename Field::Losses power_;  ///< lost by that force, M c³/R
 };
 
 }  // namespace impact

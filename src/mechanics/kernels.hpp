@@ -58,26 +58,99 @@ struct Panels {
   const double* values;      ///< of each panel: quad after quad, of each its columns
 };
 
+/// The force a V₀ exp(−a y) of a potential wall; none above the reach.
+struct WallLaw {
+  double a;              ///< 1/R
+  double force_at_zero;  ///< a V₀, M c²/R
+  double reach;          ///< R
+};
+
+/// What a wall exerts, in M c²/R.
+struct WallForce {
+  double total;    ///< along y
+  double largest;  ///< on one point
+};
+
+/// Runs of one lattice advance side by side in so many lanes. Their arrays have, for each point, x
+/// of all lanes and then y of all lanes; their constants have a number a lane.
+constexpr int kLanes = 8;
+
+/// Every bond once, in the list of its first end.
+struct BondList {
+  const std::int32_t* begin;     ///< the bonds of point i: begin[i] … begin[i + 1] − 1
+  const std::int32_t* end;       ///< the other end of each bond: point index
+  const double* natural_length;  ///< R
+};
+
+/// As BondEvaluation, for kLanes runs.
+struct LaneEvaluation {
+  BondList bonds;
+  const double* k_a;
+  const double* k_b;
+  const double* eta;
+  const double* position;
+  const double* velocity;           ///< not read without damping
+  double* force;                    ///< overwritten
+  double* relative_speeds_squared;  ///< overwritten: Σ |v_i − v_j|² of each point, in each lane;
+                                    ///< not needed without damping
+  double* relative_speed_squared;  ///< overwritten: its sum over all points, in each lane
+};
+
+using LaneBondKernel = void (*)(const LaneEvaluation&, std::int64_t points);
+
+/// As WallLaw, for kLanes runs.
+struct LaneWallLaw {
+  const double* a;
+  const double* force_at_zero;
+  const double* reach;
+};
+
+/// The loops over all points of kLanes runs. A `size` counts coordinates of one run.
+struct LaneKernels {
+  LaneBondKernel linear;
+  LaneBondKernel linear_damped;
+  LaneBondKernel cubic;
+  LaneBondKernel cubic_damped;
+  /// v += factor · f.
+  void (*kick)(const double* factor, const double* f, double* v, std::int64_t size);
+  /// The same and, with the new v, x += time · v.
+  void (*kick_and_drift)(const double* factor, const double* f, const double* time, double* v,
+                         double* x, std::int64_t size);
+  /// Σ a b of each lane.
+  void (*dot)(const double* a, const double* b, std::int64_t points, double* result);
+  /// Σ v² of each lane, and its lowest vertical velocity where that is below 0, else 0.
+  void (*speeds)(const double* velocity, std::int64_t points, double* squared, double* lowest);
+  /// Adds the wall's forces; `total` and `largest` of each lane are those of WallForce.
+  void (*potential_wall)(const LaneWallLaw& law, const double* position, std::int64_t points,
+                         double* force, double* total, double* largest);
+  /// As Kernels::substitute, with all lanes of each row; `scratch` has 2 kQuad places a quad.
+  void (*substitute)(const Panels& panels, double* points, double* scratch);
+};
+
 struct Kernels {
   const char* name;
   BondKernel linear;
   BondKernel linear_damped;
   BondKernel cubic;
   BondKernel cubic_damped;
-  /// Puts the coordinates first … end − 1 of x and y side by side.
-  void (*pair_up)(const double* x, const double* y, std::int64_t first, std::int64_t end,
-                  double* pairs);
+  /// Puts `size` coordinates x and y side by side.
+  void (*pair_up)(const double* x, const double* y, std::int64_t size, double* pairs);
   /// v += factor · f, for `size` numbers.
   void (*kick)(double factor, const double* f, double* v, std::int64_t size);
   /// The same and, with the new v, x += time · v.
   void (*kick_and_drift)(double factor, const double* f, double time, double* v, double* x,
                          std::int64_t size);
-  /// Writes down the indices of the `size` heights that are not above the limit. Returns how many.
-  std::int64_t (*find_low)(const double* heights, std::int64_t size, double limit,
-                           std::int32_t* found);
+  /// Σ a b.
+  double (*dot)(const double* a, const double* b, std::int64_t size);
+  /// The least of `size` numbers where that is below 0, else 0.
+  double (*least)(const double* numbers, std::int64_t size);
+  /// Adds the wall's forces on `size` points at these heights to their fy.
+  WallForce (*potential_wall)(const WallLaw& law, const double* heights, std::int64_t size,
+                              double* fy);
   /// Both substitutions. `pairs` are x and y of each row and of one more, 0; they become the
   /// solution. `scratch` has 2 kQuad places a quad of the largest panel.
   void (*substitute)(const Panels& panels, double* pairs, double* scratch);
+  LaneKernels lanes;
 };
 
 extern const Kernels kPlainKernels;

@@ -2,12 +2,17 @@
 
 #include "lattice/lattice.hpp"
 #include "mechanics/kernels.hpp"
+#include "mechanics/lanes.hpp"
 
+/// What integrators do with points, of one run or, with a number for each, of kLanes runs.
 namespace impact {
 
 /// v += factor · F.
 inline void kick(double factor, const PointArray& force, PointArray& velocity) {
   kernels().kick(factor, force.data(), velocity.data(), velocity.size());
+}
+inline void kick(const LaneNumbers& factor, const LaneArray& force, LaneArray& velocity) {
+  kernels().lanes.kick(factor.data(), force.data(), velocity.data(), velocity.coordinates());
 }
 
 /// v += factor · F, then x += h v.
@@ -15,6 +20,24 @@ inline void kick_and_drift(double factor, const PointArray& force, double h, Poi
                            PointArray& position) {
   kernels().kick_and_drift(factor, force.data(), h, velocity.data(), position.data(),
                            position.size());
+}
+inline void kick_and_drift(const LaneNumbers& factor, const LaneArray& force, const LaneNumbers& h,
+                           LaneArray& velocity, LaneArray& position) {
+  kernels().lanes.kick_and_drift(factor.data(), force.data(), h.data(), velocity.data(),
+                                 position.data(), position.coordinates());
+}
+
+/// Σ a b.
+inline double dot(const PointArray& a, const PointArray& b) {
+  const auto column = [&](int axis) {
+    return kernels().dot(a.col(axis).data(), b.col(axis).data(), a.rows());
+  };
+  return column(0) + column(1);
+}
+inline LaneNumbers dot(const LaneArray& a, const LaneArray& b) {
+  LaneNumbers result;
+  kernels().lanes.dot(a.data(), b.data(), a.points(), result.data());
+  return result;
 }
 
 }  // namespace impact

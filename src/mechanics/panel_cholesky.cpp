@@ -108,6 +108,29 @@ void PanelCholesky::add_panel(const SparseMatrix& lower, std::int32_t first, std
   }
 }
 
+Panels PanelCholesky::panels() const {
+  return {supernodes_.data(), static_cast<std::int64_t>(supernodes_.size()), rows_.data(),
+          values_.data()};
+}
+
+void PanelCholesky::solve(LaneArray& b) {
+  if (lane_rows_.coordinates() == 0) {
+    lane_rows_.resize(static_cast<Eigen::Index>(place_.size()) + 1);
+    lane_scratch_.resize(static_cast<Eigen::Index>(scratch_.size()));
+  }
+  const auto given = b.array();
+  auto rows = lane_rows_.array();
+  for (std::size_t i = 0; i < place_.size(); ++i) {
+    rows.middleCols<2>(2 * place_[i]) = given.middleCols<2>(2 * static_cast<Eigen::Index>(i));
+  }
+  rows.rightCols<2>().setZero();
+  kernels_->lanes.substitute(panels(), lane_rows_.data(), lane_scratch_.data());
+  auto solution = b.array();
+  for (std::size_t i = 0; i < place_.size(); ++i) {
+    solution.middleCols<2>(2 * static_cast<Eigen::Index>(i)) = rows.middleCols<2>(2 * place_[i]);
+  }
+}
+
 void PanelCholesky::solve(PointArray& b) {
   const Eigen::Index size = b.rows();
   for (Eigen::Index i = 0; i < size; ++i) {
@@ -116,9 +139,7 @@ void PanelCholesky::solve(PointArray& b) {
     row[1] = b(i, 1);
   }
   pairs_[pairs_.size() - 2] = pairs_.back() = 0.0;
-  kernels_->substitute({supernodes_.data(), static_cast<std::int64_t>(supernodes_.size()),
-                        rows_.data(), values_.data()},
-                       pairs_.data(), scratch_.data());
+  kernels_->substitute(panels(), pairs_.data(), scratch_.data());
   for (Eigen::Index i = 0; i < size; ++i) {
     const double* const row =
         pairs_.data() + std::ptrdiff_t{2} * place_[static_cast<std::size_t>(i)];

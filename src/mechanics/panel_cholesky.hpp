@@ -8,6 +8,7 @@
 
 #include "lattice/lattice.hpp"
 #include "mechanics/kernels.hpp"
+#include "mechanics/lanes.hpp"
 
 namespace impact {
 
@@ -30,8 +31,11 @@ class PanelCholesky {
 
   /// Overwrites both columns of b with those of u.
   void solve(PointArray& b);
+  /// The same in all lanes.
+  void solve(LaneArray& b);
 
  private:
+  Panels panels() const;
   void add_panel(const Eigen::SparseMatrix<double>& lower, std::int32_t first, std::int32_t width);
 
   const Kernels* kernels_;
@@ -42,6 +46,8 @@ class PanelCholesky {
       values_;                 ///< as in Panels
   std::vector<double> pairs_;  ///< x and y of each row in the order of elimination, and 0
   std::vector<double> scratch_;
+  LaneArray lane_rows_;     ///< as pairs_, in all lanes; empty until asked for
+  LaneArray lane_scratch_;  ///< the same
 };
 
 }  // namespace impact

@@ -1,11 +1,6 @@
 #include "mechanics/potential_wall.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
-
-#include "mechanics/kernels.hpp"
 
 namespace impact {
 namespace {
@@ -15,25 +10,20 @@ constexpr double kReach = 60.0;  // in units of 1/a
 }  // namespace
 
 void PotentialWall::add_forces(const PointArray& position, PointArray& force) {
-  constexpr Eigen::Index kAtOnce = 256;
-  std::array<std::int32_t, kAtOnce> low{};
-  clear();
-  const double reach = kReach / a();
-  const double* const heights = position.col(1).data();
-  for (Eigen::Index first = 0; first < position.rows(); first += kAtOnce) {
-    const std::int64_t points = kernels().find_low(
-        heights + first, std::min(kAtOnce, position.rows() - first), reach, low.data());
-    for (std::int64_t k = 0; k < points; ++k) {
-      const Eigen::Index i = first + low[static_cast<std::size_t>(k)];
-      const double push = force_at(heights[i]);
-      force(i, 1) += push;
-      count({0.0, push}, push);
-    }
-  }
+  const WallForce all =
+      kernels().potential_wall(law(), position.col(1).data(), position.rows(), force.col(1).data());
+  take_in({0.0, all.total}, all.largest);
 }
 
+WallLaw PotentialWall::law() const { return {a(), force_at(0.0), kReach / a()}; }
+
 double PotentialWall::potential_energy(const PointArray& position) const {
-  return potential_at(0.0) * (-a() * position.col(1)).exp().sum();
+  const double reach = law().reach;
+  double energy = 0.0;
+  for (const double height : position.col(1)) {
+    if (!(height > reach)) energy += potential_at(height);
+  }
+  return energy;
 }
 
 double PotentialWall::height_of_energy(const PointArray& position, double energy) const {

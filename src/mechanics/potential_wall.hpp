@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "lattice/lattice.hpp"
+#include "mechanics/kernels.hpp"
 #include "mechanics/wall_contact.hpp"
 
 namespace impact {
@@ -15,6 +16,8 @@ class PotentialWall : public WallContact {
   using WallContact::WallContact;
 
   void add_forces(const PointArray& position, PointArray& force);
+
+  WallLaw law() const;
 
   double potential_energy(const PointArray& position) const;
 

@@ -6,34 +6,42 @@
 
 namespace impact {
 
-void VelocityVerlet::restart(ForceField& field, const State& state) {
-  force_.resizeLike(state.position);
-  if (field.damped()) predicted_velocity_.resizeLike(state.velocity);
+template <class Field>
+void BasicVelocityVerlet<Field>::restart(Field& field, const State& state) {
+  field.resize(force_);
+  if (field.damped()) field.resize(predicted_velocity_);
   power_ = field.evaluate(state.position, state.velocity, force_);
 }
 
-void VelocityVerlet::take_velocity(ForceField& field, const State& state) {
+template <class Field>
+void BasicVelocityVerlet<Field>::take_velocity(Field& field, const State& state) {
   if (field.damped()) restart(field, state);
 }
 
-Losses VelocityVerlet::step(ForceField& field, State& state, double h) {
+template <class Field>
+typename Field::Losses BasicVelocityVerlet<Field>::step(Field& field, State& state,
+                                                        typename Field::Step h) {
   const bool damped = field.damped();
   if (damped) {
     predicted_velocity_ = state.velocity;
     kick(h / field.point_mass, force_, predicted_velocity_);
   }
-  const double half_kick = 0.5 * h / field.point_mass;
+  const typename Field::Number half_kick = 0.5 * h / field.point_mass;
   kick_and_drift(half_kick, force_, h, state.velocity, state.position);
 
-  const Losses before = power_;
+  const typename Field::Losses before = power_;
   power_ = field.evaluate(state.position, damped ? predicted_velocity_ : state.velocity, force_);
   kick(half_kick, force_, state.velocity);
   return {0.5 * h * (before.dissipated + power_.dissipated),
           0.5 * h * (before.absorbed + power_.absorbed)};
 }
 
-double VelocityVerlet::step_limit(double omega_squared, double gamma) const {
+template <class Field>
+double BasicVelocityVerlet<Field>::step_limit(double omega_squared, double gamma) const {
   return 2.0 / (gamma + std::sqrt(gamma * gamma + omega_squared));
 }
+
+template class BasicVelocityVerlet<ForceField>;
+template class BasicVelocityVerlet<LaneField>;
 
 }  // namespace impact

@@ -17,19 +17,23 @@ namespace impact {
 ///   h² ω²/4 + h γ ≤ 1,
 /// the point at which an eigenvalue of the step matrix reaches −1: h ≤ 2/ω undamped, h ≤ 1/γ
 /// overdamped.
-class VelocityVerlet : public Integrator {
+template <class Field>
+class BasicVelocityVerlet : public FixedStepIntegrator<Field> {
  public:
   static constexpr int kOrder = 2;
+  using State = typename Field::State;
 
-  void restart(ForceField& field, const State& state) override;
-  void take_velocity(ForceField& field, const State& state) override;
-  Losses step(ForceField& field, State& state, double h) override;
+  void restart(Field& field, const State& state) override;
+  void take_velocity(Field& field, const State& state) override;
+  typename Field::Losses step(Field& field, State& state, typename Field::Step h) override;
   double step_limit(double omega_squared, double gamma) const override;
 
  private:
-  PointArray force_;
-  PointArray predicted_velocity_;  ///< empty without damping
-  Losses power_;
+  using FixedStepIntegrator<Field>::force_;
+  using FixedStepIntegrator<Field>::power_;
+  typename Field::Points predicted_velocity_;  ///< empty without damping
 };
+
+using VelocityVerlet = BasicVelocityVerlet<ForceField>;
 
 }  // namespace impact

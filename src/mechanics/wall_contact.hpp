@@ -34,6 +34,12 @@ class WallContact {
   /// Largest force on one point in the last evaluation, in M c²/R.
   double largest_force() const { return largest_force_; }
 
+  /// Takes over the forces of an evaluation made elsewhere.
+  void take_in(const Eigen::Array2d& total_force, double largest_force) {
+    total_force_ = total_force;
+    largest_force_ = largest_force;
+  }
+
  protected:
   void clear() {
     total_force_.setZero();

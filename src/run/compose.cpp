@@ -1,15 +1,10 @@
 #include "run/compose.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "lattice/input_error.hpp"
-#include "lattice/lammps_data.hpp"
-#include "lattice/placement.hpp"
 #include "run/elastic_wall_body.hpp"
 
 namespace impact {
@@ -26,17 +21,6 @@ constexpr Resolution kNoMotion{IntegratorKind::kNewton, 1.0, 0.0};
 /// E of the triangular lattice, 2/√3 k_a, and the density M/(πR²): close to what random lattices
 /// have (physics: 1.04 … 1.1 k_a).
 double estimated_sound_speed(double k_a) { return std::sqrt(2.0 / std::sqrt(3.0) * k_a * M_PI); }
-
-Lattice disk_lattice(const Scene& scene) {
-  if (!scene.disk.file.empty()) {
-    try {
-      return read_lammps_data(scene.disk.file);
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("disk.file: {}", error.what()));
-    }
-  }
-  return triangulated_lattice(place_in_disk(scene.disk.recipe, scene.seed));
-}
 
 /// Rough time until the disk's bouncing on the wall has decayed to the wanted error. The disk is
 /// the spring k_d = dP/dξ ≈ πE/(ln(4πER/P) − 2) of the 2D Hertz contact with Kelvin–Voigt damping
@@ -60,34 +44,13 @@ double impact_time(const Scene& scene, double sound_speed, double gap) {
   return 2.0 * std::max(0.0, gap) / v + contact;
 }
 
-/// The rectangle of a stretch scene, with the disk's number density.
-Lattice stretched_rectangle(const Scene& scene) {
-  constexpr double kMostPoints = 1e6;
-  const double area = scene.stretch.width * scene.stretch.height;
-  const double points = std::round(scene.disk.recipe.points * area / M_PI);
-  if (points > kMostPoints) {
-    throw InputError(
-        fmt::format("stretch: a {} by {} R rectangle with the disk's number density has {:.3g} "
-                    "points, allowed: "
-                    "at most {}",
-                    scene.stretch.width, scene.stretch.height, points, kMostPoints));
-  }
-  const PlacementRecipe recipe{static_cast<int>(points), scene.disk.recipe.placement, true};
-  try {
-    return triangulated_lattice(
-        place_in_rectangle(recipe, scene.stretch.width, scene.stretch.height, scene.seed));
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("stretch: {}", error.what()));
-  }
-}
-
 /// The ends are drawn apart by grips that hold x and let y go, so that they do not hinder the
 /// lateral contraction.
-Composition compose_stretch(const Scene& scene) {
-  Lattice lattice = stretched_rectangle(scene);
+Composition compose_stretch(const Scene& scene, std::shared_ptr<const Bodies> bodies) {
+  const Lattice& lattice = bodies->disk;
   const double mass = 1.0 / scene.disk.recipe.points;
   const BondLaw law{scene.material.k_a, scene.material.k_b, 0.0};
-  ForceField field{BondForces(lattice, law), mass};
+  ForceField field{bodies->bonds.with(law), mass};
   const RectangleSides sides = rectangle_sides(lattice);
   std::vector<std::int32_t> ends = sides.left;
   ends.insert(ends.end(), sides.right.begin(), sides.right.end());
@@ -97,21 +60,10 @@ Composition compose_stretch(const Scene& scene) {
   initial.position = lattice.points;
   initial.position.col(0) *= 1.0 + scene.stretch.strain;
   initial.velocity = PointArray::Zero(lattice.points.rows(), 2);
-  return {std::move(lattice),
-          {},
-          std::move(field),
-          std::move(initial),
-          {{}, 0.0, estimated_sound_speed(law.k_a)},
-          kNoMotion,
-          0.0};
+  return {std::move(bodies),  std::move(field),
+          std::move(initial), {{}, 0.0, estimated_sound_speed(law.k_a)},
+          kNoMotion,          0.0};
 }
-
-/// The disk and, if the scene has one, the elastic wall.
-struct Bodies {
-  Lattice disk;
-  std::optional<ElasticWallBody> wall;
-  Lattice all() const { return wall ? joined(disk, wall->lattice) : disk; }
-};
 
 /// Where velocities are reset, the disk reaches the height 0 at a reset, so that what it meets
 /// there does not depend on where it starts.
@@ -124,19 +76,21 @@ double automatic_gap(const Scene& scene, const PointArray& reference, const Pote
   return way * std::ceil(gap / way);
 }
 
-/// The disk above the wall, which is at rest with its surface at y = 0. `all`: the disk's reference
-/// points and, after them, the wall's.
-State initial_state(const Scene& scene, const PointArray& reference, const PointArray& all,
-                    const PotentialWall& wall) {
+/// The disk above the wall, which is at rest with its surface at y = 0.
+State initial_state(const Scene& scene, const Bodies& bodies, const PotentialWall& wall) {
+  const PointArray& reference = bodies.disk.points;
   const Eigen::Index points = reference.rows();
+  const Eigen::Index wall_points = bodies.wall ? bodies.wall->lattice.points.rows() : 0;
   State state;
-  state.position = all;
+  state.position.resize(points + wall_points, 2);
+  state.position.topRows(points) = reference;
+  if (bodies.wall) state.position.bottomRows(wall_points) = bodies.wall->lattice.points;
   state.velocity = PointArray::Zero(state.position.rows(), 2);
   double lowest = 0.0;
   if (scene.kind == SceneKind::kContact) {
     lowest = wall.gap_of_force(scene.load.p);
   } else {
-    lowest = scene.impact.gap.value_or(automatic_gap(scene, reference, wall));
+    lowest = scene.impact.gap ? *scene.impact.gap : automatic_gap(scene, reference, wall);
     state.velocity.col(1).head(points) = -scene.impact.velocity;
   }
   state.position.col(1).head(points) += lowest - reference.col(1).minCoeff();
@@ -160,42 +114,30 @@ void add_terms(const Scene& scene, const Bodies& bodies, const PotentialWall& wa
   if (scene.load.hold_rotation) field.hold.emplace(bodies.disk.points);
 }
 
-Composition compose_on_wall(const Scene& scene) {
-  Bodies bodies{disk_lattice(scene), {}};
-  const Eigen::Index points = bodies.disk.points.rows();
+Composition compose_on_wall(const Scene& scene, std::shared_ptr<const Bodies> bodies) {
+  const Eigen::Index points = bodies->disk.points.rows();
   const double mass = 1.0 / static_cast<double>(points);
-  if (scene.wall.kind == WallKind::kLattice) bodies.wall = elastic_wall_body(scene, points);
-
-  const Lattice all = bodies.all();
   const double eta = scene.is_static() ? 0.0 : scene.material.eta * mass;
   const BondLaw law{scene.material.k_a, scene.material.k_b, eta};
   const double part = scene.wall.kind == WallKind::kLattice ? 0.5 : 1.0;
   const PotentialWall wall(scene.wall.a, scene.wall.v0.value_or(part * scene.wall.a * mass));
 
-  State initial = initial_state(scene, bodies.disk.points, all.points, wall);
-  ForceField field{BondForces(all, law), mass};
-  add_terms(scene, bodies, wall, initial.position, field);
+  State initial = initial_state(scene, *bodies, wall);
+  ForceField field{bodies->bonds.with(law), mass};
+  add_terms(scene, *bodies, wall, initial.position, field);
   const double sound_speed = estimated_sound_speed(law.k_a);
   if (scene.is_static()) {
-    return {std::move(bodies.disk),
-            {},
-            std::move(field),
-            std::move(initial),
-            {{}, 0.0, sound_speed},
-            kNoMotion,
-            0.0};
+    return {std::move(bodies),      std::move(field), std::move(initial),
+            {{}, 0.0, sound_speed}, kNoMotion,        0.0};
   }
-  Spectrum spectrum = lattice_spectrum(all, law, mass);
+  Spectrum spectrum = spectrum_of(*bodies, law, mass);
   if (field.viscous_boundary) {
     spectrum.gamma += field.viscous_boundary->largest_coefficient() / mass;
   }
 
   const double gap = initial.position.col(1).head(points).minCoeff();
   const Rates rates_of_scene = rates(scene, spectrum, wall, static_cast<int>(points), sound_speed);
-  std::optional<Lattice> wall_lattice;
-  if (bodies.wall) wall_lattice = std::move(bodies.wall->lattice);
-  return {std::move(bodies.disk),
-          std::move(wall_lattice),
+  return {std::move(bodies),
           std::move(field),
           std::move(initial),
           rates_of_scene,
@@ -209,9 +151,12 @@ double negligible_wall_energy(const Scene& scene) {
   return 0.01 * scene.numerics.error * 0.5 * scene.impact.velocity * scene.impact.velocity;
 }
 
-Composition compose(const Scene& scene) {
-  return scene.kind == SceneKind::kStretch ? compose_stretch(scene) : compose_on_wall(scene);
+Composition compose(const Scene& scene, std::shared_ptr<const Bodies> bodies) {
+  return scene.kind == SceneKind::kStretch ? compose_stretch(scene, std::move(bodies))
+                                           : compose_on_wall(scene, std::move(bodies));
 }
+
+Composition compose(const Scene& scene) { return compose(scene, make_bodies(scene)); }
 
 std::shared_ptr<const Composition> compose_shared(const Scene& scene) {
   return std::make_shared<const Composition>(compose(scene));

@@ -1,11 +1,10 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
-#include "lattice/lattice.hpp"
 #include "mechanics/force_field.hpp"
 #include "mechanics/state.hpp"
+#include "run/bodies.hpp"
 #include "run/resolution.hpp"
 #include "scene/scene.hpp"
 
@@ -14,8 +13,7 @@ namespace impact {
 /// A scene made ready: the terms that it has, and no others, at the start. All runs of the scene
 /// share one.
 struct Composition {
-  Lattice lattice;                      ///< of the disk, or of a stretched rectangle
-  std::optional<Lattice> wall_lattice;  ///< of an elastic wall, above whose surface y = 0 lies
+  std::shared_ptr<const Bodies> bodies;
   ForceField field;
   State initial;
   Rates rates;                 ///< with an estimate of the sound speed
@@ -26,6 +24,8 @@ struct Composition {
 /// @throw InputError for a lattice that cannot be used, and for a given step beyond the stability
 /// bound of the lattice and its damping.
 Composition compose(const Scene& scene);
+/// With the bodies of this scene or one of the same bodies.
+Composition compose(const Scene& scene, std::shared_ptr<const Bodies> bodies);
 std::shared_ptr<const Composition> compose_shared(const Scene& scene);
 
 /// The energy of the potential wall that counts as none: numerics.error/100 of the kinetic energy

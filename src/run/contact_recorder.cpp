@@ -7,30 +7,30 @@ namespace impact {
 namespace {
 
 /// The wall force along y; 0 without a wall.
-ForceSample sample_of(const Simulation& simulation) {
-  const WallContact* const contact = simulation.field().contact();
-  return {simulation.state().time, contact != nullptr ? contact->total_force().y() : 0.0};
+ForceSample sample_of(const Motion& motion) {
+  const WallContact* const contact = motion.field().contact();
+  return {motion.time(), contact != nullptr ? contact->total_force().y() : 0.0};
 }
 
 }  // namespace
 
-ContactRecorder::ContactRecorder(const Simulation& start, double contact_force)
+ContactRecorder::ContactRecorder(const Motion& start, double contact_force)
     : contact_force_(contact_force), last_(sample_of(start)) {
   report_.samples.push_back(last_);
   report_.peak_force = last_.force;
 }
 
-void ContactRecorder::add_step(const Simulation& simulation) {
-  const ForceSample sample = sample_of(simulation);
+void ContactRecorder::add_step(const Motion& motion) {
+  const ForceSample sample = sample_of(motion);
   report_.impulse += 0.5 * (last_.force + sample.force) * (sample.time - last_.time);
   report_.peak_force = std::max(report_.peak_force, sample.force);
   report_.samples.push_back(sample);
   last_ = sample;
 }
 
-ContactReports ContactRecorder::take(const Simulation& simulation) {
-  const ForceField& field = simulation.field();
-  const State& state = simulation.state();
+ContactReports ContactRecorder::take(const Motion& motion) {
+  const ForceField& field = motion.field();
+  const State& state = motion.state();
   ContactReports reports;
   reports.on_disk = std::exchange(report_, ContactReport{});
   reports.on_disk.time = reports.on_wall.time = state.time;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "measure/contact_report.hpp"
-#include "mechanics/simulation.hpp"
+#include "mechanics/motion.hpp"
 
 namespace impact {
 
@@ -17,13 +17,13 @@ class ContactRecorder {
  public:
   /// A point is listed as in contact when the wall pushes it with more than `contact_force`
   /// (M c²/R).
-  ContactRecorder(const Simulation& start, double contact_force);
+  ContactRecorder(const Motion& start, double contact_force);
 
   /// To be called after every step.
-  void add_step(const Simulation& simulation);
+  void add_step(const Motion& motion);
 
   /// The reports up to the present step; begins the next ones.
-  ContactReports take(const Simulation& simulation);
+  ContactReports take(const Motion& motion);
 
  private:
   double contact_force_;

@@ -14,16 +14,16 @@ constexpr double kLookInterval = 1.0;  // R/c
 SeparationEnd::SeparationEnd(double negligible_energy, double sound_speed)
     : negligible_energy_(negligible_energy), waiting_time_(5.0 / sound_speed) {}
 
-bool SeparationEnd::reached(const Simulation& simulation) {
+bool SeparationEnd::reached(const Motion& motion) {
   // The potential V₀ exp(−a y) is its force over a.
-  const WallContact& wall = *simulation.field().contact();
-  const State& state = simulation.state();
+  const WallContact& wall = *motion.field().contact();
   if (wall.total_force().y() / wall.a() > negligible_energy_) {
     touched_ = true;
-    last_touch_ = state.time;
+    last_touch_ = motion.time();
   }
-  if (!touched_ || state.time - last_touch_ <= waiting_time_) return false;
-  const Eigen::Index disk = state.position.rows() - simulation.field().wall_points;
+  if (!touched_ || motion.time() - last_touch_ <= waiting_time_) return false;
+  const State& state = motion.state();
+  const Eigen::Index disk = state.position.rows() - motion.field().wall_points;
   return state.velocity.col(1).head(disk).sum() > 0.0;
 }
 
@@ -33,11 +33,11 @@ RestEnd::RestEnd(const Scene& scene, Eigen::Index points, double step)
           std::max(0.1 * scene.numerics.error * scene.load.p / std::sqrt(scene.material.k_a),
                    4.0 * std::numeric_limits<double>::epsilon() / step)) {}
 
-bool RestEnd::reached(const Simulation& simulation) {
-  if (simulation.state().time < next_look_) return false;
+bool RestEnd::reached(const Motion& motion) {
+  if (motion.time() < next_look_) return false;
   next_look_ += kLookInterval;
-  return simulation.state().velocity.abs().maxCoeff() <= largest_speed_ &&
-         simulation.largest_static_force() <= largest_force_;
+  return motion.state().velocity.abs().maxCoeff() <= largest_speed_ &&
+         motion.largest_static_force() <= largest_force_;
 }
 
 double negligible_static_force(const Scene& scene, Eigen::Index points, double step) {
@@ -60,7 +60,7 @@ double negligible_static_force(const Scene& scene, Eigen::Index points, double s
 std::unique_ptr<EndOfRun> end_of_run(const Scene& scene, const Composition& composition,
                                      double step) {
   if (scene.kind == SceneKind::kContact) {
-    return std::make_unique<RestEnd>(scene, composition.lattice.points.rows(), step);
+    return std::make_unique<RestEnd>(scene, composition.bodies->disk.points.rows(), step);
   }
   if (scene.kind == SceneKind::kStretch) return std::make_unique<StaticEnd>();
   return std::make_unique<SeparationEnd>(negligible_wall_energy(scene),

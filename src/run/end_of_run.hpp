@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "mechanics/simulation.hpp"
+#include "mechanics/motion.hpp"
 #include "run/compose.hpp"
 #include "scene/scene.hpp"
 
@@ -13,7 +13,7 @@ namespace impact {
 class EndOfRun {
  public:
   virtual ~EndOfRun() = default;
-  virtual bool reached(const Simulation& simulation) = 0;
+  virtual bool reached(const Motion& motion) = 0;
   /// The flag of a run that is given up before its end is reached.
   virtual const char* flag_if_given_up() const = 0;
 };
@@ -24,7 +24,7 @@ class EndOfRun {
 class SeparationEnd : public EndOfRun {
  public:
   SeparationEnd(double negligible_energy, double sound_speed);
-  bool reached(const Simulation& simulation) override;
+  bool reached(const Motion& motion) override;
   const char* flag_if_given_up() const override { return "not_separated"; }
 
  private:
@@ -40,7 +40,7 @@ class SeparationEnd : public EndOfRun {
 class RestEnd : public EndOfRun {
  public:
   RestEnd(const Scene& scene, Eigen::Index points, double step);
-  bool reached(const Simulation& simulation) override;
+  bool reached(const Motion& motion) override;
   const char* flag_if_given_up() const override { return "not_at_rest"; }
 
  private:
@@ -52,7 +52,7 @@ class RestEnd : public EndOfRun {
 /// A static solution without motion is an end by itself.
 class StaticEnd : public EndOfRun {
  public:
-  bool reached(const Simulation& /*simulation*/) override { return true; }
+  bool reached(const Motion& /*motion*/) override { return true; }
   const char* flag_if_given_up() const override { return "not_at_rest"; }
 };
 

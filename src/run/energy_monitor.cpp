@@ -17,23 +17,21 @@ double active_energy(const EnergyLedger& ledger) {
 EnergyMonitor::EnergyMonitor(const EnergyLedger& start)
     : total_at_start_(start.total()), largest_energy_(active_energy(start)) {}
 
-void EnergyMonitor::check(const Simulation& simulation) {
-  const EnergyLedger ledger = simulation.ledger();
+void EnergyMonitor::check(const Motion& motion) {
+  const EnergyLedger ledger = motion.ledger();
   const double deviation = std::abs(ledger.total() - total_at_start_);
   if (!(deviation <= std::max(largest_energy_, ledger.dissipated + ledger.absorbed))) {
     throw RunFailure(fmt::format(
         "the energy balance broke at t = {:.6g} R/c (total {:.3g}, at the start {:.3g} M c²): with "
         "steps of {:.3g} R/c the integrator does not hold the motion",
-        simulation.state().time, ledger.total(), total_at_start_, simulation.step_size()));
+        motion.time(), ledger.total(), total_at_start_, motion.step_size()));
   }
   largest_deviation_ = std::max(largest_deviation_, deviation);
   largest_energy_ = std::max(largest_energy_, active_energy(ledger));
 }
 
-bool EnergyMonitor::is_alarming(const Simulation& simulation) const {
-  const double kinetic =
-      0.5 * simulation.field().point_mass * simulation.state().velocity.square().sum();
-  return !(kinetic <= 2.0 * largest_energy_);
+bool EnergyMonitor::is_alarming(const Motion& motion) const {
+  return !(motion.kinetic_energy() <= 2.0 * largest_energy_);
 }
 
 }  // namespace impact

@@ -77,8 +77,8 @@ bool ErrorControl::accepts_impact(const Run& run) {
                     "expected duration",
                     run.state().time, Run::kPatience));
   }
-  const bool reduced = run.simulation().halvings() > 0;
-  resolution_.step = run.simulation().step_size();
+  const bool reduced = run.motion().halvings() > 0;
+  resolution_.step = run.motion().step_size();
   const Answer answer{resolution_, run.disk_state().velocity.colwise().mean()};
   if (!last_ || last_->resolution.integrator != resolution_.integrator || reduced) {
     last_ = answer;
@@ -123,7 +123,7 @@ bool ErrorControl::accepts_contact(const Run& run) {
   const PointArray position = run.disk_state().position;
   const double strain = meter.measure(position).strain();
   const double corrected =
-      meter.measure(position + equilibrium_correction(run.simulation().field(), position)).strain();
+      meter.measure(position + equilibrium_correction(run.motion().field(), position)).strain();
   estimated_error_ = std::abs(corrected - strain) / std::abs(corrected);
   if (scene_.numerics.are_given()) return true;
   if (run.has_flag("not_at_rest")) give_up("no state of rest was found");

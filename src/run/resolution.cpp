@@ -134,20 +134,6 @@ double given_step(const Scene& scene, IntegratorKind integrator, const Spectrum&
       step, limit, name_of(integrator)));
 }
 
-/// An integrator of fixed step.
-std::unique_ptr<Integrator> make_fixed(IntegratorKind integrator) {
-  switch (integrator) {
-    case IntegratorKind::kBlanesMoan:
-      return std::make_unique<BlanesMoan>();
-    case IntegratorKind::kImplicitDamping:
-      return std::make_unique<ImplicitDamping>();
-    case IntegratorKind::kExtrapolatedDamping:
-      return std::make_unique<ExtrapolatedDamping>();
-    default:
-      return std::make_unique<VelocityVerlet>();
-  }
-}
-
 /// Typical displacement and speed of a scene, by which tolerances are measured.
 Scales scales_of(const Scene& scene, double sound_speed) {
   if (scene.kind == SceneKind::kCollision) {
@@ -157,6 +143,23 @@ Scales scales_of(const Scene& scene, double sound_speed) {
 }
 
 }  // namespace
+
+template <class Field>
+std::unique_ptr<FixedStepIntegrator<Field>> make_fixed(IntegratorKind integrator) {
+  switch (integrator) {
+    case IntegratorKind::kBlanesMoan:
+      return std::make_unique<BasicBlanesMoan<Field>>();
+    case IntegratorKind::kImplicitDamping:
+      return std::make_unique<BasicImplicitDamping<Field>>();
+    case IntegratorKind::kExtrapolatedDamping:
+      return std::make_unique<BasicExtrapolatedDamping<Field>>();
+    default:
+      return std::make_unique<BasicVelocityVerlet<Field>>();
+  }
+}
+
+template std::unique_ptr<FixedStepIntegrator<ForceField>> make_fixed(IntegratorKind integrator);
+template std::unique_ptr<FixedStepIntegrator<LaneField>> make_fixed(IntegratorKind integrator);
 
 double largest_point_force(const Scene& scene, int points, double sound_speed) {
   double total = 2.0 * scene.load.p;
@@ -183,7 +186,7 @@ Rates rates(const Scene& scene, const Spectrum& lattice, const WallContact& wall
 }
 
 double step_limit(IntegratorKind integrator, double omega_squared, double gamma) {
-  return make_fixed(integrator)->step_limit(omega_squared, gamma);
+  return make_fixed<ForceField>(integrator)->step_limit(omega_squared, gamma);
 }
 
 int order_of(IntegratorKind integrator) {
@@ -257,7 +260,7 @@ std::unique_ptr<Integrator> make_integrator(const Scene& scene, const Resolution
     case IntegratorKind::kRk8pd:
       return offered_rk8pd(resolution.tolerance, scales);
     default:
-      return make_fixed(resolution.integrator);
+      return make_fixed<ForceField>(resolution.integrator);
   }
 }
 

@@ -73,6 +73,10 @@ Resolution finer(const Scene& scene, const Resolution& resolution, double factor
 /// whole part of `unit`.
 double round_step_down(double value, double unit);
 
+/// Makes an integrator of fixed step, for one run or for lanes.
+template <class Field>
+std::unique_ptr<FixedStepIntegrator<Field>> make_fixed(IntegratorKind integrator);
+
 /// Makes the integrator of a resolution.
 /// @throw InputError for rk8pd in a program that does not offer it, see offer_rk8pd().
 std::unique_ptr<Integrator> make_integrator(const Scene& scene, const Resolution& resolution,

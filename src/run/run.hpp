@@ -2,11 +2,9 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "mechanics/folding.hpp"
 #include "mechanics/simulation.hpp"
 #include "run/compose.hpp"
 #include "run/contact_recorder.hpp"
@@ -30,6 +28,10 @@ class Run {
       : Run(scene, composition, composition->resolution) {}
   Run(const Scene& scene, std::shared_ptr<const Composition> composition,
       const Resolution& resolution);
+  /// Of a motion, made by the same resolution, that is moved from outside: then observe_step() is
+  /// called, not advance().
+  Run(const Scene& scene, std::shared_ptr<const Composition> composition,
+      const Resolution& resolution, std::unique_ptr<Motion> motion);
 
   /// Goes on to the first step at or after the next output time, or to the end if that comes first,
   /// or to where `stop`, asked every 64 steps, says true. The output times do not touch the motion.
@@ -38,26 +40,30 @@ class Run {
   /// @throw RunFailure when the energy balance breaks.
   void advance(const std::function<bool()>& stop = {});
 
+  /// To be called after each step of a motion that is moved from outside.
+  /// @throw RunFailure as advance().
+  void observe_step();
+
   /// Sets out for the static solution under another load, from the present one. The scene must be a
   /// contact that is solved without motion.
   void reload(double p);
 
   bool finished() const { return finished_; }
-  const Lattice& lattice() const { return composition_->lattice; }
+  const Lattice& lattice() const { return composition_->bodies->disk; }
   /// Of an elastic wall; nullptr when the scene has none.
   const Lattice* wall_lattice() const {
-    return composition_->wall_lattice ? &*composition_->wall_lattice : nullptr;
+    return composition_->bodies->wall ? &composition_->bodies->wall->lattice : nullptr;
   }
-  const Simulation& simulation() const { return simulation_; }
+  const Motion& motion() const { return *motion_; }
   /// Of all points: the disk's and, after them, those of an elastic wall.
-  const State& state() const { return simulation_.state(); }
+  const State& state() const { return motion_->state(); }
   State disk_state() const;
   State wall_state() const;
   /// The method in use.
   IntegratorKind integrator() const { return integrator_; }
   double expected_time() const { return composition_->expected_time; }
 
-  ContactReports take_contact_reports() { return recorder_.take(simulation_); }
+  ContactReports take_contact_reports() { return recorder_.take(*motion_); }
 
   /// See EnergyMonitor; looked at every 64 steps, at the end and, as soon as the kinetic energy
   /// alarms, at every fourth.
@@ -79,7 +85,6 @@ class Run {
 
  private:
   void settle();
-  void observe_step();
   void look();
   void note_folds();
   void finish();
@@ -87,9 +92,8 @@ class Run {
   Scene scene_;
   std::shared_ptr<const Composition> composition_;
   std::unique_ptr<EndOfRun> end_;
-  Triangles triangles_;
-  std::optional<Triangles> wall_triangles_;
-  Simulation simulation_;
+  std::unique_ptr<Motion> motion_;
+  Simulation* simulation_ = nullptr;  ///< the motion, where it goes on by itself
   EnergyMonitor monitor_;
   ContactRecorder recorder_;
   double restitution_bound_ = 0.0;

@@ -87,7 +87,7 @@ ReferenceAnswer impact_reference(const Scene& scene) {
   if (scene.material.eta <= kStiffDamping) {
     return compared(performed(with_tolerance(scene, 1e-12)).answer(), automatic.answer());
   }
-  const double half_step = 0.5 * automatic.run().simulation().step_size();
+  const double half_step = 0.5 * automatic.run().motion().step_size();
   return compared(performed(with_step(scene, half_step)).answer(), automatic.answer());
 }
 
@@ -137,7 +137,7 @@ AccuracyTrial try_accuracy(Scene scene, double error, const ReferenceAnswer& ref
   try {
     const Experiment experiment = performed(scene);
     trial.integrator = name_of(experiment.run().integrator());
-    trial.step = experiment.run().simulation().step_size();
+    trial.step = experiment.run().motion().step_size();
     trial.answer = experiment.answer();
     trial.estimated_error = experiment.estimated_error();
     trial.true_error = std::abs(trial.answer / reference.value - 1.0);

@@ -17,7 +17,7 @@ constexpr const char* kHistoryHeader =
 
 /// The line of the present state in history.csv.
 std::string history_line(const Run& run, const Strain& strain, double force) {
-  const EnergyLedger ledger = run.simulation().ledger();
+  const EnergyLedger ledger = run.motion().ledger();
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", run.state().time, strain.strain(), force,
                      ledger.kinetic(), ledger.bonds, ledger.wall, ledger.load, ledger.dissipated,
                      ledger.wall_lattice, ledger.absorbed, ledger.hops);
@@ -31,8 +31,7 @@ Quantity number(std::string key, Number value) {
 
 /// A term of the energy ledger at the end.
 Quantity energy(std::string key, double EnergyLedger::*term) {
-  return number(std::move(key),
-                [term](const auto& e) { return e.run().simulation().ledger().*term; });
+  return number(std::move(key), [term](const auto& e) { return e.run().motion().ledger().*term; });
 }
 
 std::vector<Quantity> impact_quantities(const Scene& scene) {
@@ -60,15 +59,15 @@ std::vector<Quantity> contact_quantities(const Scene& scene) {
   list.push_back(
       number("strain_from_radius", [](const auto& e) { return e.strain().strain_from_radius(); }));
   list.push_back(number("wall_force", [](const auto& e) {
-    return e.run().simulation().field().wall->total_force().y();
+    return e.run().motion().field().wall->total_force().y();
   }));
   list.push_back(number("rotation", [](const auto& e) { return e.strain().rotation; }));
   if (scene.load.hold_rotation) {
-    list.push_back(number(
-        "hold_torque", [](const auto& e) { return e.run().simulation().field().hold->torque(); }));
+    list.push_back(number("hold_torque",
+                          [](const auto& e) { return e.run().motion().field().hold->torque(); }));
   }
   list.push_back(number("largest_static_force",
-                        [](const auto& e) { return e.run().simulation().largest_static_force(); }));
+                        [](const auto& e) { return e.run().motion().largest_static_force(); }));
   return list;
 }
 
@@ -83,7 +82,7 @@ std::vector<Quantity> stretch_quantities() {
   }));
   list.push_back(number("grip_modulus", [](const auto& e) { return e.grip_modulus(); }));
   list.push_back(number("largest_static_force",
-                        [](const auto& e) { return e.run().simulation().largest_static_force(); }));
+                        [](const auto& e) { return e.run().motion().largest_static_force(); }));
   return list;
 }
 
@@ -94,7 +93,7 @@ std::vector<Quantity> run_quantities() {
   list.push_back(number("estimated_error", [](const auto& e) { return e.estimated_error(); }));
   list.push_back(
       {"integrator", [](const auto& e) { return YAML::Node(name_of(e.run().integrator())); }});
-  list.push_back(number("step", [](const auto& e) { return e.run().simulation().step_size(); }));
+  list.push_back(number("step", [](const auto& e) { return e.run().motion().step_size(); }));
   list.push_back({"steps", [](const auto& e) { return YAML::Node(e.run().state().step); }});
   list.push_back(number("wall_time", [](const auto& e) { return e.wall_time(); }));
   list.push_back({"flags", [](const auto& e) { return flag_list(e.run().flags()); }});
@@ -104,17 +103,22 @@ std::vector<Quantity> run_quantities() {
 }  // namespace
 
 Experiment::Experiment(const Scene& scene, std::shared_ptr<const Composition> composition,
-                       bool keep_history)
+                       MakeMotion make_motion, bool keep_history)
     : scene_(scene),
       composition_(std::move(composition)),
+      make_motion_(std::move(make_motion)),
       control_(scene, *composition_),
-      strain_meter_(composition_->lattice.points),
+      strain_meter_(composition_->bodies->disk.points),
       keep_history_(keep_history) {
   start_run();
 }
 
 void Experiment::start_run() {
-  run_.emplace(scene_, composition_, control_.resolution());
+  if (make_motion_) {
+    run_.emplace(scene_, composition_, resolution(), make_motion_(*composition_, resolution()));
+  } else {
+    run_.emplace(scene_, composition_, resolution());
+  }
   analysis_ = {};
   if (keep_history_) history_ = kHistoryHeader;
   take_in();
@@ -129,7 +133,23 @@ void Experiment::advance(const std::function<bool()>& stop) {
     return;
   }
   take_in();
+  if (run_->finished()) end_run();
+}
+
+void Experiment::observe_step() {
+  try {
+    run_->observe_step();
+  } catch (const RunFailure& failure) {
+    control_.take_failure(failure);
+    start_run();
+    return;
+  }
   if (!run_->finished()) return;
+  take_in();
+  end_run();
+}
+
+void Experiment::end_run() {
   finished_ = control_.accepts(*run_);
   if (!finished_) start_run();
 }
@@ -176,6 +196,7 @@ double Experiment::grip_modulus() const {
 BondLaw Experiment::law() const { return {scene_.material.k_a, scene_.material.k_b, 0.0}; }
 
 double Experiment::wall_time() const {
+  if (given_wall_time_) return *given_wall_time_;
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 

@@ -24,13 +24,26 @@ class Experiment {
       : Experiment(scene, compose_shared(scene), keep_history) {}
   /// `composition`: of the scene.
   Experiment(const Scene& scene, std::shared_ptr<const Composition> composition,
-             bool keep_history = false);
+             bool keep_history = false)
+      : Experiment(scene, std::move(composition), {}, keep_history) {}
+
+  using MakeMotion = std::function<std::unique_ptr<Motion>(const Composition&, const Resolution&)>;
+  /// Of motions that are moved from outside: then observe_step() is called, not advance().
+  Experiment(const Scene& scene, std::shared_ptr<const Composition> composition,
+             MakeMotion make_motion)
+      : Experiment(scene, std::move(composition), std::move(make_motion), false) {}
 
   /// Goes on as Run::advance() and takes in what the measurements need; at the end of a run that is
   /// not accurate enough, starts the next one.
   /// @throw RunFailure as Run::advance() and ErrorControl::accepts().
   void advance(const std::function<bool()>& stop = {});
+  /// To be called after each step of a motion that is moved from outside. At the end of a run that
+  /// is not accurate enough, makes the motion of the next one, at resolution().
+  /// @throw RunFailure as advance().
+  void observe_step();
   bool finished() const { return finished_; }
+  /// Of the present run.
+  const Resolution& resolution() const { return control_.resolution(); }
 
   /// Sets out for the next scene of a chain, see is_next_load().
   void go_on_to(const Scene& next);
@@ -52,25 +65,34 @@ class Experiment {
   /// The pull on the grips over the rectangle's height and strain, in M c²/R²: E of the rectangle
   /// as a whole, with its rim.
   double grip_modulus() const;
-  double wall_time() const;  ///< s, since construction
+  double wall_time() const;  ///< s, since construction, or as given
+
+  /// Replaces the time since construction by this one (s).
+  void set_wall_time(double time) { given_wall_time_ = time; }
 
   /// The content of history.csv: strain, wall force and energies at the output times.
   const std::string& history() const { return history_; }
 
  private:
+  Experiment(const Scene& scene, std::shared_ptr<const Composition> composition,
+             MakeMotion make_motion, bool keep_history);
+
   void start_run();
+  void end_run();
   void take_in();
   BondLaw law() const;
 
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Scene scene_;
   std::shared_ptr<const Composition> composition_;
+  MakeMotion make_motion_;  ///< empty: the motions go on by themselves
   ErrorControl control_;
   std::optional<Run> run_;
   StrainMeter strain_meter_;
   ImpactAnalysis analysis_;
   bool keep_history_;
   std::string history_;
+  std::optional<double> given_wall_time_;
   bool finished_ = false;
 };
 

@@ -60,10 +60,10 @@ void perform(const std::string& scene_file, const std::vector<std::string>& assi
   write_file(path / "result.yaml", result);
   write_file(path / "scene.yaml", to_yaml(scene));
   write_file(path / "history.csv", experiment.history());
-  write_lammps_data(experiment.run().lattice(), experiment.run().simulation().field().point_mass,
+  write_lammps_data(experiment.run().lattice(), experiment.run().motion().field().point_mass,
                     path / "lattice.data");
   if (const Lattice* const wall = experiment.run().wall_lattice()) {
-    write_lammps_data(*wall, experiment.run().simulation().field().point_mass, path / "wall.data");
+    write_lammps_data(*wall, experiment.run().motion().field().point_mass, path / "wall.data");
   }
 }
 

@@ -95,7 +95,7 @@ struct Energy : Nobody {
 
 struct Folds : Nobody {
   explicit Folds(const Composition& composition)
-      : Nobody(composition), triangles(composition.lattice) {}
+      : Nobody(composition), triangles(composition.bodies->disk) {}
   void at_end(const Simulation& simulation) {
     benchmark::DoNotOptimize(triangles.turned_over(simulation.state().position));
   }
@@ -123,8 +123,9 @@ const Composition& composed(Start start, int points) {
 }
 
 std::size_t bonds(const Composition& composition) {
-  const std::size_t of_wall = composition.wall_lattice ? composition.wall_lattice->bonds.size() : 0;
-  return composition.lattice.bonds.size() + of_wall;
+  const std::size_t of_wall =
+      composition.bodies->wall ? composition.bodies->wall->lattice.bonds.size() : 0;
+  return composition.bodies->disk.bonds.size() + of_wall;
 }
 
 template <Start kStart, class Onlooker = Nobody>

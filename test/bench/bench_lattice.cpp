@@ -1,14 +1,7 @@
 // How long a lattice takes to build, and how the order in which its points are stored changes the
 // time of a force evaluation.
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/hilbert_sort.h>
-#include <CGAL/property_map.h>
 #include <benchmark/benchmark.h>
-
-#include <utility>
-#include <vector>
 
 #include "lattice/lattice.hpp"
 #include "lattice/placement.hpp"
@@ -27,19 +20,7 @@ Lattice in_given_order(const PointArray& points) {
 Lattice in_random_order(const PointArray& points) { return in_given_order(points); }
 
 Lattice in_hilbert_order(const PointArray& points) {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Indexed = std::pair<Kernel::Point_2, Eigen::Index>;
-  std::vector<Indexed> indexed;
-  for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    indexed.emplace_back(Kernel::Point_2(points(i, 0), points(i, 1)), i);
-  }
-  CGAL::hilbert_sort(
-      indexed.begin(), indexed.end(),
-      CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pair_property_map<Indexed>>());
-  PointArray sorted(points.rows(), 2);
-  Eigen::Index place = 0;
-  for (const Indexed& point : indexed) sorted.row(place++) = points.row(point.second);
-  return in_given_order(sorted);
+  return in_given_order(points(hilbert_order(points), Eigen::all));
 }
 
 Lattice in_storage_order(const PointArray& points) { return triangulated_lattice(points); }
@@ -53,7 +34,6 @@ void force_evaluation(benchmark::State& state) {
   const PointArray velocity = PointArray::Zero(lattice.points.rows(), 2);
   PointArray force(lattice.points.rows(), 2);
   for (auto _ : state) {
-    force.setZero();
     bonds.evaluate(lattice.points, velocity, force);
     benchmark::DoNotOptimize(force.data());
   }

@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <vector>
 
+#include "every_kernel.hpp"
 #include "test_lattices.hpp"
 
 namespace impact {
@@ -123,11 +122,10 @@ ForcesAndPower reference(const Lattice& lattice, const BondLaw& law, const Point
   return sum;
 }
 
-class EveryKernel : public testing::TestWithParam<const Kernels*> {};
+class EveryKernel : public KernelTest {};
 
 /// With a number of points that fills no whole slice, and points with two to six bonds.
 TEST_P(EveryKernel, GivesTheForcesAndThePower) {
-  if (!can_run(*GetParam())) GTEST_SKIP() << "not on this processor";
   const Lattice lattice = triangular_patch(7);
   const PointArray position = lattice.points + 0.2 * random_points(49, 1);
   const PointArray velocity = random_points(49, 2);
@@ -151,7 +149,6 @@ TEST_P(EveryKernel, GivesTheForcesAndThePower) {
 }
 
 TEST_P(EveryKernel, KicksAndDrifts) {
-  if (!can_run(*GetParam())) GTEST_SKIP() << "not on this processor";
   const PointArray f = random_points(7, 1);
   PointArray v = random_points(7, 2);
   PointArray x = random_points(7, 3);
@@ -166,21 +163,8 @@ TEST_P(EveryKernel, KicksAndDrifts) {
   EXPECT_LT((x - drifted).abs().maxCoeff(), kRounding);
 }
 
-TEST_P(EveryKernel, FindsWhatIsNotAboveALimit) {
-  if (!can_run(*GetParam())) GTEST_SKIP() << "not on this processor";
-  std::vector<double> heights(27, 1.0);
-  heights[3] = heights[4] = 0.5;
-  heights[21] = std::nan("");
-  heights[26] = -1.0;
-  std::vector<std::int32_t> found(heights.size());
-  const auto count = GetParam()->find_low(heights.data(), 27, 0.5, found.data());
-  found.resize(static_cast<std::size_t>(count));
-  EXPECT_EQ(found, (std::vector<std::int32_t>{3, 4, 21, 26}));
-}
-
 /// A disk that blew up must not look at rest.
 TEST_P(EveryKernel, PassesOnWhatIsNotFinite) {
-  if (!can_run(*GetParam())) GTEST_SKIP() << "not on this processor";
   BondForces bonds(two_points(), {1.0, 0.0, 0.0}, *GetParam());
   for (const double lost : {std::nan(""), std::numeric_limits<double>::infinity(), 1e200}) {
     PointArray position = two_points().points;
@@ -191,13 +175,7 @@ TEST_P(EveryKernel, PassesOnWhatIsNotFinite) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(InstructionSets, EveryKernel,
-                         testing::Values(&kPlainKernels, &kAvx2Kernels, &kAvx512Kernels),
-                         [](const auto& info) {
-                           std::string name = info.param->name;
-                           name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(InstructionSets, EveryKernel, all_kernels(), kernel_name);
 
 TEST(BondForces, NameTellsWhatIsEvaluated) {
   const auto name = [](const BondLaw& law) { return BondForces(triangle(), law).name(); };

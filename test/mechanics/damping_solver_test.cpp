@@ -34,7 +34,9 @@ PointArray product(ForceField field, const PointArray& u) {
 }
 
 PointArray solved(const ForceField& field, PointArray r) {
-  DampingSolver(field, kScale).solve(r);
+  DampingSolver solver;
+  solver.prepare(field, kScale);
+  solver.solve(r);
   return r;
 }
 

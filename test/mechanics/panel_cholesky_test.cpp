@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <string>
+
+#include "every_kernel.hpp"
 
 namespace impact {
 namespace {
@@ -37,11 +37,7 @@ void expect_solved(const SparseMatrix& matrix, const Kernels& kernels) {
   }
 }
 
-class EveryPanelKernel : public testing::TestWithParam<const Kernels*> {
-  void SetUp() override {
-    if (!can_run(*GetParam())) GTEST_SKIP() << "not on this processor";
-  }
-};
+class EveryPanelKernel : public KernelTest {};
 
 /// One supernode of every width.
 TEST_P(EveryPanelKernel, SolvesDenseSystems) {
@@ -134,13 +130,31 @@ TEST_P(EveryPanelKernel, ForgetsWhatWasNotFinite) {
   EXPECT_TRUE((u == b).all());
 }
 
-INSTANTIATE_TEST_SUITE_P(InstructionSets, EveryPanelKernel,
-                         testing::Values(&kPlainKernels, &kAvx2Kernels, &kAvx512Kernels),
-                         [](const auto& info) {
-                           std::string name = info.param->name;
-                           name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
-                           return name;
-                         });
+/// Of every width of supernodes, each lane to the last bit.
+TEST_P(EveryPanelKernel, SolvesTheSameInLanes) {
+  constexpr int kSize = 37;
+  SparseMatrix matrix(kSize, kSize);
+  for (int i = 0; i < kSize; ++i) {
+    matrix.insert(i, i) = 4.0 + i;
+    if (i > 0) matrix.insert(i, i - 1) = matrix.insert(i - 1, i) = -0.9;
+    if (i > 6) matrix.insert(i, i - 7) = matrix.insert(i - 7, i) = -0.6;
+  }
+  PanelCholesky solver(matrix, *GetParam());
+  LaneArray lanes;
+  lanes.resize(kSize);
+  for (int k = 0; k < kLanes; ++k) {
+    for (int i = 0; i < kSize; ++i) lanes.lane(k).row(i) << std::sin(i + k), std::cos(2 * i - k);
+  }
+  const LaneArray given = lanes;
+  solver.solve(lanes);
+  for (int k = 0; k < kLanes; ++k) {
+    PointArray b = given.lane(k);
+    solver.solve(b);
+    EXPECT_TRUE((lanes.lane(k) == b).all()) << k;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(InstructionSets, EveryPanelKernel, all_kernels(), kernel_name);
 
 }  // namespace
 }  // namespace impact

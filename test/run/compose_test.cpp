@@ -37,7 +37,7 @@ TEST(Compose, BuildsOnlyTheTermsOfACollision) {
     scene.material.eta = eta;
     const Composition composition = compose(scene);
     EXPECT_EQ(composition.field.terms(), (Names{bonds, "potential wall"}));
-    EXPECT_FALSE(composition.wall_lattice.has_value());
+    EXPECT_FALSE(composition.bodies->wall.has_value());
     EXPECT_EQ(composition.field.wall_points, 0);
     EXPECT_EQ(composition.initial.position.rows(), 1099);
   }
@@ -89,26 +89,26 @@ TEST(Compose, BuildsOnlyBondsAndGripsForAStretch) {
   const Composition composition = compose(scene);
   EXPECT_EQ(composition.field.terms(), (Names{"bonds (cubic)", "supports"}));
   EXPECT_EQ(composition.field.contact(), nullptr);
-  EXPECT_FALSE(composition.wall_lattice.has_value());
+  EXPECT_FALSE(composition.bodies->wall.has_value());
   // 4 R × 2 R at the density of 1099 points in a disk.
-  EXPECT_EQ(composition.lattice.points.rows(), 2799);
+  EXPECT_EQ(composition.bodies->disk.points.rows(), 2799);
   const Supports& grips = *composition.field.supports;
   EXPECT_TRUE(grips.held(1).empty());
   for (const std::int32_t point : grips.held(0)) {
     EXPECT_NEAR(std::abs(composition.initial.position(point, 0)), 2.0 * 1.001, 1e-12);
   }
-  EXPECT_EQ((composition.lattice.points.col(0).abs() == 2.0).count(), grips.held(0).size());
+  EXPECT_EQ((composition.bodies->disk.points.col(0).abs() == 2.0).count(), grips.held(0).size());
 }
 
 /// The disk's points come first, then the wall's, which rests with its surface at y = 0.
 TEST(Compose, PutsTheDiskAboveTheElasticWall) {
   const Scene scene = elastic_wall_scene(Boundary::kReset);
   const Composition composition = compose(scene);
-  ASSERT_TRUE(composition.wall_lattice.has_value());
+  ASSERT_TRUE(composition.bodies->wall.has_value());
   EXPECT_EQ(composition.field.wall_points, 1269);
   ASSERT_EQ(composition.initial.position.rows(), 1099 + 1269);
   const PointArray& position = composition.initial.position;
-  EXPECT_TRUE((position.bottomRows(1269) == composition.wall_lattice->points).all());
+  EXPECT_TRUE((position.bottomRows(1269) == composition.bodies->wall->lattice.points).all());
   EXPECT_EQ(position.col(1).tail(1269).maxCoeff(), 0.0);
   EXPECT_TRUE((composition.initial.velocity.bottomRows(1269) == 0.0).all());
   EXPECT_TRUE((composition.initial.velocity.col(1).head(1099) == -0.01).all());
@@ -128,13 +128,13 @@ TEST(Compose, PutsTheDiskAboveTheElasticWall) {
 /// The same disk as without an elastic wall.
 TEST(Compose, DoesNotChangeTheDiskForAnElasticWall) {
   const Composition composition = compose(elastic_wall_scene(Boundary::kFixed));
-  EXPECT_TRUE((composition.lattice.points == compose(Scene{}).lattice.points).all());
+  EXPECT_TRUE((composition.bodies->disk.points == compose(Scene{}).bodies->disk.points).all());
 }
 
 /// On the left, right and bottom side both coordinates, on the top none but the corners'.
 TEST(Compose, ClampsThreeSidesOfAFixedWall) {
   const Composition composition = compose(elastic_wall_scene(Boundary::kFixed));
-  const PointArray& wall = composition.wall_lattice->points;
+  const PointArray& wall = composition.bodies->wall->lattice.points;
   const double side = wall.col(0).maxCoeff();
   const double bottom = wall.col(1).minCoeff();
   const Supports& clamps = *composition.field.supports;
@@ -204,7 +204,7 @@ TEST(Compose, IsTheSameEveryTime) {
   const Composition first = compose(Scene{});
   const Composition second = compose(Scene{});
   EXPECT_TRUE((first.initial.position == second.initial.position).all());
-  EXPECT_EQ(first.lattice.bonds, second.lattice.bonds);
+  EXPECT_EQ(first.bodies->disk.bonds, second.bodies->disk.bonds);
   EXPECT_EQ(first.rates.lattice.omega_squared, second.rates.lattice.omega_squared);
   EXPECT_EQ(first.resolution.step, second.resolution.step);
 }
@@ -212,7 +212,7 @@ TEST(Compose, IsTheSameEveryTime) {
 TEST(Compose, TakesALatticeFromAFile) {
   const std::filesystem::path path = testing::TempDir() + "compose_test.data";
   const Composition original = compose(Scene{});
-  write_lammps_data(original.lattice, 1.0 / 1099, path);
+  write_lammps_data(original.bodies->disk, 1.0 / 1099, path);
   Scene scene;
   scene.disk.file = path.string();
   scene.disk.recipe.points = 5;  // replaced by the file

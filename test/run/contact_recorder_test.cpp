@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mechanics/simulation.hpp"
 #include "run/compose.hpp"
 
 namespace impact {

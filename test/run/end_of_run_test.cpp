@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "mechanics/simulation.hpp"
+
 namespace impact {
 namespace {
 

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "mechanics/simulation.hpp"
 #include "run/compose.hpp"
 
 namespace impact {

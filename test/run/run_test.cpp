@@ -82,7 +82,10 @@ TEST(Collision, OfTheMirrorImageIsTheMirrorImage) {
   const Scene scene;
   const Restitution original = impact_of(scene);
   Composition mirrored = compose(scene);
-  mirrored.lattice.points.col(0) *= -1.0;
+  Bodies bodies = *mirrored.bodies;
+  bodies.disk.points.col(0) *= -1.0;
+  bodies.triangles = Triangles(bodies.disk);
+  mirrored.bodies = std::make_shared<const Bodies>(std::move(bodies));
   mirrored.initial.position.col(0) *= -1.0;
   impact::Run run(scene, std::make_shared<const Composition>(std::move(mirrored)));
   const Restitution image = finish(run);
@@ -101,8 +104,8 @@ TEST(Collision, RunsOfOneCompositionAreTheSame) {
   const Restitution answer = finish(first);
   impact::Run second(scene, composition);
   EXPECT_EQ(finish(second).restitution, answer.restitution);
-  EXPECT_EQ(&first.lattice(), &composition->lattice);
-  EXPECT_EQ(second.wall_lattice(), &*composition->wall_lattice);
+  EXPECT_EQ(&first.lattice(), &composition->bodies->disk);
+  EXPECT_EQ(second.wall_lattice(), &composition->bodies->wall->lattice);
 }
 
 /// Bit for bit, whether the step divides the period or not, or is longer than it.
@@ -144,7 +147,7 @@ TEST(Collision, StatesFollowTheOutputTimes) {
   for (int k = 1; k <= 50; ++k) {
     run.advance();
     EXPECT_GE(run.state().time, 0.017 * k - 1e-12);
-    EXPECT_LT(run.state().time, 0.017 * k + run.simulation().step_size());
+    EXPECT_LT(run.state().time, 0.017 * k + run.motion().step_size());
   }
 }
 
@@ -226,7 +229,7 @@ double compression_at_rest(const Scene& scene) {
   while (!run.finished()) run.advance();
   EXPECT_TRUE(run.flags().empty());
   // Rest means no static force above 10⁻⁵ P/N on any of the N points: 10⁻⁵ P in all.
-  EXPECT_NEAR(run.simulation().field().wall->total_force().y() / scene.load.p, 1.0, 1e-5);
+  EXPECT_NEAR(run.motion().field().wall->total_force().y() / scene.load.p, 1.0, 1e-5);
   const Strain strain = StrainMeter(run.lattice().points).measure(run.state().position);
   EXPECT_NEAR(strain.rotation, 0.0, 1e-12);
   EXPECT_LT(run.energy_error(), 1e-3);
@@ -417,7 +420,7 @@ TEST(AbsorbingWall, ResetAndViscousBoundariesAbsorb) {
     while (!run.finished()) run.advance();
     EXPECT_TRUE(run.flags().empty());
     EXPECT_LT(run.energy_error(), 1e-4);
-    return run.simulation().ledger();
+    return run.motion().ledger();
   };
   const double start = 0.5 * 0.03 * 0.03;
   const EnergyLedger fixed = ledger(Boundary::kFixed);
@@ -509,9 +512,9 @@ TEST(Stretch, EndsInEquilibrium) {
   EXPECT_EQ(run.integrator(), IntegratorKind::kNewton);
   run.advance();
   const double bond = 1e-3 * std::sqrt(M_PI / 300);
-  EXPECT_LT(run.simulation().largest_static_force(), 1e-6 * bond);
+  EXPECT_LT(run.motion().largest_static_force(), 1e-6 * bond);
   PointArray force = PointArray::Zero(run.state().position.rows(), 2);
-  BondForces bonds = run.simulation().field().bonds;
+  BondForces bonds = run.motion().field().bonds;
   bonds.evaluate(run.state().position, run.state().velocity, force);
   EXPECT_GT(force.abs().maxCoeff(), 0.1 * bond);
   // Rounding, and the free points' rest.

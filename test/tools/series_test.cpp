@@ -7,10 +7,12 @@
 #include <cmath>
 #include <fstream>
 #include <regex>
+#include <set>
 
 #include "expect_input_error.hpp"
 #include "scene/scene_parameters.hpp"
 #include "tools/experiment.hpp"
+#include "tools/side_by_side.hpp"
 
 namespace impact {
 namespace {
@@ -180,6 +182,62 @@ TEST_F(RunSeries, LeavesEmptyWhatASceneDoesNotHave) {
 TEST_F(RunSeries, CreatesNothingForAFirstSceneThatCannotBeComposed) {
   EXPECT_INPUT_ERROR(run(scenes("{scene: collision, disk: {file: /nowhere}}")), "disk.file");
   EXPECT_FALSE(std::filesystem::exists(path_));
+}
+
+/// Impacts on one lattice that need different integrators, several runs, halved steps (v = 0.4 c on
+/// the hard wall) or cannot be answered (too many steps).
+std::vector<Scene> scenes_for_lanes() {
+  std::vector<Scene> all = scenes(
+      "{scene: collision, disk: {points: 20}, impact: {velocity: [0.02, 0.05, 0.4]},"
+      " material: {eta: [0, 1, 100]}, wall: {a: [300, 3000]}, numerics: {error: [1.e-3, 1.e-6]}}");
+  Scene hopeless = all.front();
+  hopeless.impact.velocity = 1.0;
+  hopeless.wall.a = 3e4;
+  hopeless.numerics.error = 1e-10;
+  all.insert(all.begin() + 5, hopeless);
+  return all;
+}
+
+TEST_F(RunSeries, InLanesGivesTheResultsOfTheSingleExperimentsToTheLastBit) {
+  const std::vector<Scene> scenes = scenes_for_lanes();
+  const std::vector<Row> rows = run(scenes);
+  ASSERT_EQ(rows.size(), scenes.size());
+  std::set<std::string> integrators;
+  int flagged = 0;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    SCOPED_TRACE(i);
+    ASSERT_TRUE(can_be_in_lanes(scenes[i]));
+    Experiment experiment(scenes[i]);
+    try {
+      while (!experiment.finished()) experiment.advance();
+    } catch (const RunFailure& failure) {
+      EXPECT_EQ(rows[i].flags, std::string("failed: ") + failure.what());
+      continue;
+    }
+    const ResultTexts expected = texts_of(experiment);
+    for (const auto& [key, value] : rows[i].results) {
+      if (key != "wall_time" && !std::isnan(value)) {
+        EXPECT_EQ(value, std::stod(expected.at(key))) << key;
+      }
+    }
+    EXPECT_EQ(rows[i].flags, expected.at("flags"));
+    EXPECT_EQ(rows[i].integrator, expected.at("integrator"));
+    integrators.insert(rows[i].integrator);
+    if (!rows[i].flags.empty()) ++flagged;
+  }
+  EXPECT_EQ(integrators, (std::set<std::string>{"verlet", "blanes_moan", "implicit_damping",
+                                                "extrapolated_damping"}));
+  EXPECT_GT(flagged, 0);
+  EXPECT_TRUE(has_failed(rows[5]));
+}
+
+TEST_F(RunSeries, InLanesWritesTheSameBytesForAnyNumberOfThreads) {
+  const std::vector<Scene> scenes = scenes_for_lanes();
+  run(scenes, 1);
+  const std::string of_one = content(path_);
+  std::filesystem::remove(path_);
+  run(scenes, 5);
+  EXPECT_EQ(without_wall_time(content(path_)), without_wall_time(of_one));
 }
 
 TEST_F(RunSeries, StopsAtTheFirstSceneThatCannotBeComposed) {

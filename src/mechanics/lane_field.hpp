@@ -1,0 +1,88 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "lattice/lattice.hpp"
+#include "mechanics/force_field.hpp"
+#include "mechanics/lanes.hpp"
+#include "mechanics/losses.hpp"
+
+namespace impact {
+
+class LaneDampingSolver;
+
+/// The forces of kLanes runs of one lattice at a potential wall, as ForceField has them for one.
+/// Every run has constants of its own. A bond is evaluated once, in all lanes at a time. The forces
+/// of each run are those of ForceField to the last bit, whatever is in the other lanes.
+class LaneField {
+ public:
+  using Number = LaneNumbers;
+  using Step = const LaneNumbers&;
+  using Points = LaneArray;
+  using State = LaneState;
+  using Losses = LaneLosses;
+  using DampingSolver = LaneDampingSolver;
+
+  /// What all runs have in common, besides the lattice.
+  struct Kind {
+    bool cubic = false;
+    bool damped = false;
+  };
+  static Kind kind_of(const ForceField& field) {
+    return {field.bonds.law().k_b != 0.0, field.damped()};
+  }
+  /// Whether lanes know all terms of the field.
+  static bool knows(const ForceField& field);
+
+  LaneField(const Lattice& lattice, double mass, Kind kind,
+            const Kernels& kernels = impact::kernels());
+
+  /// Puts the constants of a field of this kind, which lanes know, in a lane.
+  void set_lane(int lane, const ForceField& field);
+  /// In an empty lane nothing acts.
+  void clear_lane(int lane);
+
+  /// As in ForceField. A power is that of each run.
+  LaneLosses evaluate(const LaneArray& position, const LaneArray& velocity, LaneArray& force);
+  void evaluate_undamped(const LaneArray& position, LaneArray& force);
+
+  bool damped() const { return kind_.damped; }
+  void resize(LaneArray& points) const { points.resize(points_); }
+  /// There is no boundary.
+  static LaneNumbers boundary_power(const LaneArray& /*velocity*/) { return LaneNumbers::Zero(); }
+
+  /// Of the wall on the disk in the last evaluation.
+  WallForce wall_force(int lane) const { return {wall_total_(lane), wall_largest_(lane)}; }
+
+  /// The field that came last into a lane.
+  const ForceField& latest() const { return *latest_; }
+
+  double point_mass;              ///< M
+  std::uint64_t evaluations = 0;  ///< so far
+
+ private:
+  LaneNumbers evaluate(bool damped, const LaneArray& position, const double* velocity,
+                       LaneArray& force);
+
+  Kind kind_;
+  const LaneKernels* kernels_;
+  Eigen::Index points_;
+  std::vector<std::int32_t> begin_;  ///< as in BondList
+  std::vector<std::int32_t> end_;
+  std::vector<double> natural_length_;
+  LaneArray relative_speeds_squared_;  ///< as in LaneEvaluation; empty without damping
+  LaneNumbers k_a_;
+  LaneNumbers k_b_;
+  LaneNumbers eta_;
+  LaneNumbers wall_a_;
+  LaneNumbers wall_force_at_zero_;
+  LaneNumbers wall_reach_;
+  LaneNumbers wall_total_;
+  LaneNumbers wall_largest_;
+  std::optional<ForceField> latest_;
+};
+
+}  // namespace impact

@@ -1,0 +1,51 @@
+#include "mechanics/motion.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace impact {
+namespace {
+
+/// Against an elastic wall, which doubles the square of the frequency.
+constexpr double kBothEndsMove = 2.0;
+
+}  // namespace
+
+Motion::Motion(ForceField field, State initial, const Spectrum& spectrum, double step)
+    : field_(std::move(field)), state_(std::move(initial)), spectrum_(spectrum), step_size_(step) {}
+
+void Motion::limit_step(const WallContact& wall, double approach, const StepBound& bound) {
+  const double margin = kWallMargin * (field_.elastic_wall ? kBothEndsMove : 1.0);
+  const auto limit = [&] {
+    const double force = wall.largest_force() * std::exp(wall.a() * approach * step_size_);
+    const double omega_squared =
+        spectrum_.omega_squared + margin * wall.stiffness(force) / field_.point_mass;
+    return bound.step_limit(omega_squared, spectrum_.gamma);
+  };
+  while (step_size_ > limit()) {
+    step_size_ /= 2.0;
+    ticks_ *= 2;
+    ++halvings_;
+  }
+}
+
+void Motion::count_step(const Losses& lost) {
+  losses_.dissipated += lost.dissipated;
+  losses_.absorbed += lost.absorbed;
+  ++ticks_;
+  ++state_.step;
+  state_.time = static_cast<double>(ticks_) * step_size_;
+}
+
+double Motion::kinetic_energy() const {
+  return 0.5 * field_.point_mass * state().velocity.square().sum();
+}
+
+double Motion::largest_static_force() const {
+  ForceField field = field_;
+  PointArray force(state().position.rows(), 2);
+  field.evaluate_undamped(state().position, force);
+  return force.abs().maxCoeff();
+}
+
+}  // namespace impact

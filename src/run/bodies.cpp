@@ -1,0 +1,99 @@
+#include "run/bodies.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "lattice/input_error.hpp"
+#include "lattice/lammps_data.hpp"
+#include "lattice/placement.hpp"
+
+namespace impact {
+namespace {
+
+Lattice disk_lattice(const Scene& scene) {
+  if (!scene.disk.file.empty()) {
+    try {
+      return read_lammps_data(scene.disk.file);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("disk.file: {}", error.what()));
+    }
+  }
+  return triangulated_lattice(place_in_disk(scene.disk.recipe, scene.seed));
+}
+
+/// The rectangle of a stretch scene, with the disk's number density.
+Lattice stretched_rectangle(const Scene& scene) {
+  constexpr double kMostPoints = 1e6;
+  const double area = scene.stretch.width * scene.stretch.height;
+  const double points = std::round(scene.disk.recipe.points * area / M_PI);
+  if (points > kMostPoints) {
+    throw InputError(
+        fmt::format("stretch: a {} by {} R rectangle with the disk's number density has {:.3g} "
+                    "points, allowed: "
+                    "at most {}",
+                    scene.stretch.width, scene.stretch.height, points, kMostPoints));
+  }
+  const PlacementRecipe recipe{static_cast<int>(points), scene.disk.recipe.placement, true};
+  try {
+    return triangulated_lattice(
+        place_in_rectangle(recipe, scene.stretch.width, scene.stretch.height, scene.seed));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("stretch: {}", error.what()));
+  }
+}
+
+bool has_wall_lattice(const Scene& scene) {
+  return scene.kind == SceneKind::kCollision && scene.wall.kind == WallKind::kLattice;
+}
+
+Spectrum unit_spectrum(const Lattice& lattice, bool damped) {
+  return lattice_spectrum(lattice, {1.0, 0.0, damped ? 1.0 : 0.0}, 1.0);
+}
+
+}  // namespace
+
+std::shared_ptr<const Bodies> make_bodies(const Scene& scene) {
+  Lattice disk =
+      scene.kind == SceneKind::kStretch ? stretched_rectangle(scene) : disk_lattice(scene);
+  std::optional<ElasticWallBody> wall;
+  if (has_wall_lattice(scene)) wall = elastic_wall_body(scene, disk.points.rows());
+  const Lattice all = wall ? joined(disk, wall->lattice) : disk;
+  Triangles triangles(disk);
+  std::optional<Triangles> wall_triangles;
+  if (wall) wall_triangles.emplace(wall->lattice);
+  std::optional<Spectrum> spectrum;
+  if (!scene.is_static()) spectrum = unit_spectrum(all, scene.material.eta != 0.0);
+  return std::make_shared<const Bodies>(Bodies{std::move(disk), std::move(wall),
+                                               std::move(triangles), std::move(wall_triangles),
+                                               BondForces(all, BondLaw{}), spectrum});
+}
+
+std::string key_of_bodies(const Scene& scene) {
+  const PlacementRecipe& recipe = scene.disk.recipe;
+  std::string key = fmt::format("{} {} {} {} {}", scene.seed, recipe.points,
+                                static_cast<int>(recipe.placement), recipe.rim, scene.disk.file);
+  if (scene.kind == SceneKind::kStretch) {
+    key += fmt::format("\nstretch {} {}", scene.stretch.width, scene.stretch.height);
+  }
+  if (has_wall_lattice(scene)) {
+    const Scene::Wall& wall = scene.wall;
+    key += fmt::format("\nwall {} {} {} {}", wall.points, wall.width.value_or(0.0),
+                       wall.height.value_or(0.0), wall.file);
+  }
+  return key;
+}
+
+Spectrum spectrum_of(const Bodies& bodies, const BondLaw& law, double point_mass) {
+  Spectrum unit;
+  if (bodies.spectrum && (law.eta == 0.0 || bodies.spectrum->gamma > 0.0)) {
+    unit = *bodies.spectrum;
+  } else {
+    unit = unit_spectrum(bodies.wall ? joined(bodies.disk, bodies.wall->lattice) : bodies.disk,
+                         law.eta != 0.0);
+  }
+  return {law.k_a / point_mass * unit.omega_squared, law.eta / point_mass * unit.gamma};
+}
+
+}  // namespace impact

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "lattice/lattice.hpp"
+#include "mechanics/bond_forces.hpp"
+#include "mechanics/folding.hpp"
+#include "mechanics/spectrum.hpp"
+#include "run/elastic_wall_body.hpp"
+#include "scene/scene.hpp"
+
+namespace impact {
+
+/// What is made of lattices for a scene, whatever its material and motion: for many scenes the
+/// same, see key_of_bodies().
+struct Bodies {
+  Lattice disk;  ///< or the stretched rectangle
+  std::optional<ElasticWallBody> wall;
+  Triangles triangles;  ///< of the disk
+  std::optional<Triangles> wall_triangles;
+  BondForces bonds;                  ///< of the disk and, after it, the wall; with any constants
+  std::optional<Spectrum> spectrum;  ///< of all bonds, for k_a = 1, m = 1 and η = 1
+};
+
+/// With the spectrum if the scene is one of motion, with its γ if the scene is damped.
+/// @throw InputError for a lattice that cannot be used.
+std::shared_ptr<const Bodies> make_bodies(const Scene& scene);
+
+/// Equal for scenes of which make_bodies() makes the same, but for the spectrum.
+std::string key_of_bodies(const Scene& scene);
+
+/// The spectrum with these constants of the bonds and this mass of a point, M.
+Spectrum spectrum_of(const Bodies& bodies, const BondLaw& law, double point_mass);
+
+}  // namespace impact

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <exception>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "tools/experiment.hpp"
+#include "tools/series_file.hpp"
+
+namespace impact {
+
+/// What became of scenes.
+struct Outcome {
+  /// In the order of the scenes. A run that cannot go on has its reason in its flags.
+  std::vector<ResultTexts> results{};
+  /// The InputError of the first scene that cannot be composed; it and those after it have no
+  /// result.
+  std::exception_ptr error{};
+};
+
+/// Whether runs of the scene can advance in lanes: an impact on the potential wall by a method of
+/// fixed step, with so few points that lanes pay.
+bool can_be_in_lanes(const Scene& scene);
+
+/// Simulates scenes of the same bodies, all of which can be in lanes, side by side; where one is
+/// done, the next takes its lane. Each result is that of an Experiment by itself, to the last bit,
+/// except for wall_time: the time of a step is shared out among those that make it.
+/// `done` is told of every scene that is. @return nothing when told to stop, which is asked often.
+std::optional<Outcome> simulate_side_by_side(const std::vector<Scene>& scenes,
+                                             const std::function<bool()>& stop,
+                                             const std::function<void()>& done);
+
+/// The result of a finished experiment as text.
+ResultTexts texts_of(const Experiment& experiment);
+
+}  // namespace impact

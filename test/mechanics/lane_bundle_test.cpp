@@ -1,0 +1,280 @@
+#include "mechanics/lane_bundle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "every_kernel.hpp"
+#include "lattice/placement.hpp"
+#include "mechanics/blanes_moan.hpp"
+#include "mechanics/extrapolated_damping.hpp"
+#include "mechanics/implicit_damping.hpp"
+#include "mechanics/simulation.hpp"
+#include "mechanics/velocity_verlet.hpp"
+
+namespace impact {
+namespace {
+
+constexpr int kPoints = 101;  // fills no whole slice
+constexpr double kMass = 1.0 / kPoints;
+
+const Lattice& disk() {
+  static const Lattice lattice = triangulated_lattice(place_in_disk({kPoints}, 1));
+  return lattice;
+}
+
+/// A disk on its way to the wall.
+struct Throw {
+  double speed;
+  double k_a = 1.0;
+  double eta = 0.0;
+  double a = 300.0;
+  double step = 0.01;
+  double k_b = 1e-3;
+};
+
+ForceField field_of(const Throw& thrown) {
+  ForceField field{BondForces(disk(), {thrown.k_a, thrown.k_b, thrown.eta}), kMass};
+  field.wall.emplace(thrown.a, thrown.a * kMass);
+  return field;
+}
+
+State start_of(const Throw& thrown) {
+  State state{0.0, 0, disk().points, PointArray::Zero(kPoints, 2)};
+  state.position.col(1) += 1.05;
+  state.velocity.col(0) = 0.1 * thrown.speed * disk().points.col(1);
+  state.velocity.col(1) -= thrown.speed;
+  return state;
+}
+
+Spectrum spectrum_of(const Throw& thrown) {
+  return lattice_spectrum(disk(), {thrown.k_a, thrown.k_b, thrown.eta}, kMass);
+}
+
+template <template <class> class I>
+Simulation alone(const Throw& thrown) {
+  return {field_of(thrown), start_of(thrown), spectrum_of(thrown), thrown.step,
+          std::make_unique<I<ForceField>>()};
+}
+
+std::unique_ptr<LaneMotion> in_lane(const Throw& thrown) {
+  return std::make_unique<LaneMotion>(field_of(thrown), start_of(thrown), spectrum_of(thrown),
+                                      thrown.step);
+}
+
+template <template <class> class I>
+LaneBundle bundle(const Throw& like, bool needs_common_step = false) {
+  return {disk(), kMass, LaneField::kind_of(field_of(like)),
+          [] { return std::make_unique<I<LaneField>>(); }, needs_common_step};
+}
+
+/// To the last bit.
+void expect_same(const Motion& motion, const Motion& expected) {
+  ASSERT_EQ(motion.steps(), expected.steps());
+  EXPECT_EQ(motion.time(), expected.time());
+  EXPECT_EQ(motion.step_size(), expected.step_size());
+  EXPECT_TRUE((motion.state().position == expected.state().position).all());
+  EXPECT_TRUE((motion.state().velocity == expected.state().velocity).all());
+  EXPECT_EQ(motion.field().wall->total_force().y(), expected.field().wall->total_force().y());
+  EXPECT_EQ(motion.field().wall->largest_force(), expected.field().wall->largest_force());
+  EXPECT_EQ(motion.field().evaluations, expected.field().evaluations);
+  EXPECT_EQ(motion.ledger().total(), expected.ledger().total());
+  EXPECT_EQ(motion.ledger().dissipated, expected.ledger().dissipated);
+}
+
+/// Each alone, and all in lanes: the first few, then one more every tenth step, through impact.
+template <template <class> class I>
+void expect_same_in_lanes(const std::vector<Throw>& throws, bool needs_common_step = false) {
+  std::vector<Simulation> singles;
+  std::vector<std::unique_ptr<LaneMotion>> motions;
+  LaneBundle all = bundle<I>(throws.front(), needs_common_step);
+  constexpr int kSteps = 400;
+  for (int step = 0; step < kSteps; ++step) {
+    while (motions.size() < throws.size() &&
+           (motions.size() < 3 || step >= 10 * static_cast<int>(motions.size()))) {
+      singles.push_back(alone<I>(throws[motions.size()]));
+      motions.push_back(in_lane(throws[motions.size()]));
+      all.board(*motions.back());
+      expect_same(*motions.back(), singles.back());
+    }
+    all.step();
+    for (Simulation& single : singles) single.step();
+  }
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    SCOPED_TRACE(i);
+    expect_same(*motions[i], singles[i]);
+    EXPECT_LT(start_of(throws[i]).velocity.col(1).mean(),
+              motions[i]->state().velocity.col(1).mean());
+  }
+}
+
+TEST(LaneBundle, IsVelocityVerletInEveryLane) {
+  expect_same_in_lanes<BasicVelocityVerlet>({{0.02},
+                                             {0.05, 1.1},
+                                             {0.03, 0.9, 0.0, 200.0, 0.008},
+                                             {0.02},
+                                             {0.06, 1.0, 0.0, 300.0, 0.01, 0.5}});
+}
+
+TEST(LaneBundle, IsDampedVelocityVerletInEveryLane) {
+  expect_same_in_lanes<BasicVelocityVerlet>(
+      {{0.02, 1.0, kMass}, {0.05, 1.1, 2.0 * kMass}, {0.03, 0.9, 0.5 * kMass, 200.0, 0.008}});
+}
+
+TEST(LaneBundle, IsBlanesMoanInEveryLane) {
+  expect_same_in_lanes<BasicBlanesMoan>(
+      {{0.02}, {0.05, 1.1}, {0.03, 0.9, 0.0, 200.0, 0.008}, {0.02}});
+}
+
+TEST(LaneBundle, IsImplicitDampingInEveryLane) {
+  const double eta = 30.0 * kMass;
+  expect_same_in_lanes<BasicImplicitDamping>(
+      {{0.02, 1.0, eta}, {0.05, 1.1, eta}, {0.03, 0.9, eta, 200.0}, {0.02, 1.0, eta}}, true);
+}
+
+TEST(LaneBundle, IsExtrapolatedDampingInEveryLane) {
+  const double eta = 30.0 * kMass;
+  expect_same_in_lanes<BasicExtrapolatedDamping>(
+      {{0.02, 1.0, eta}, {0.05, 1.1, eta}, {0.03, 0.9, eta, 200.0}, {0.02, 1.0, eta}}, true);
+}
+
+/// The wall grows too stiff for this step on the way.
+TEST(LaneBundle, HalvesTheStepOfOneLane) {
+  const Throw hard{0.3, 1.0, 0.0, 1000.0, 0.03};
+  Simulation single = alone<BasicVelocityVerlet>(hard);
+  const auto motion = in_lane(hard);
+  const auto other = in_lane({0.02});
+  LaneBundle both = bundle<BasicVelocityVerlet>(hard);
+  both.board(*other);
+  both.board(*motion);
+  for (int step = 0; step < 100; ++step) {
+    both.step();
+    single.step();
+  }
+  EXPECT_GT(motion->halvings(), 0);
+  EXPECT_EQ(other->halvings(), 0);
+  expect_same(*motion, single);
+}
+
+TEST(LaneBundle, OneWhoseStepIsHalvedLeavesACommonOne) {
+  const double eta = 30.0 * kMass;
+  const Throw hard{0.3, 1.0, eta, 1000.0, 0.03};
+  const auto motion = in_lane(hard);
+  const auto other = in_lane({0.02, 1.0, eta, 300.0, 0.03});
+  LaneBundle both = bundle<BasicImplicitDamping>(hard, true);
+  both.board(*other);
+  both.board(*motion);
+  for (int step = 0; step < 100 && motion->is_on_board(); ++step) both.step();
+  EXPECT_FALSE(motion->is_on_board());
+  EXPECT_GT(motion->halvings(), 0);
+  EXPECT_TRUE(other->is_on_board());
+
+  // In other bundles it goes on as alone.
+  Simulation single = alone<BasicImplicitDamping>(hard);
+  while (single.steps() < motion->steps()) single.step();
+  for (int step = 0; step < 20; ++step) {
+    LaneBundle next = bundle<BasicImplicitDamping>(hard, true);
+    next.board(*motion);
+    next.step();
+  }
+  while (single.steps() < motion->steps()) single.step();
+  EXPECT_GT(single.steps(), 10U);
+  expect_same(*motion, single);
+}
+
+TEST(LaneBundle, AMotionThatLeavesKeepsItsStateAndFreesItsLane) {
+  const Throw thrown{0.02};
+  std::array<std::unique_ptr<LaneMotion>, kLanes> motions;
+  PointArray position;
+  {
+    LaneBundle all = bundle<BasicVelocityVerlet>(thrown);
+    for (auto& motion : motions) {
+      EXPECT_FALSE(all.is_full());
+      motion = in_lane(thrown);
+      all.board(*motion);
+    }
+    EXPECT_TRUE(all.is_full());
+    all.step();
+    motions[3].reset();
+    EXPECT_FALSE(all.is_full());
+    all.step();
+    position = motions[4]->state().position;
+  }
+  EXPECT_FALSE(motions[4]->is_on_board());
+  EXPECT_EQ(motions[4]->steps(), 2U);
+  EXPECT_TRUE((motions[4]->state().position == position).all());
+}
+
+/// What is not finite in one lane stays there.
+TEST(LaneBundle, ABlowUpDoesNotSpread) {
+  const Throw thrown{0.02};
+  Simulation single = alone<BasicVelocityVerlet>(thrown);
+  const auto motion = in_lane(thrown);
+  State lost = start_of(thrown);
+  lost.position(5, 0) = std::nan("");
+  LaneMotion blown_up(field_of(thrown), lost, spectrum_of(thrown), 0.01);
+  LaneBundle both = bundle<BasicVelocityVerlet>(thrown);
+  both.board(blown_up);
+  both.board(*motion);
+  for (int step = 0; step < 50; ++step) {
+    both.step();
+    single.step();
+  }
+  EXPECT_FALSE(std::isfinite(blown_up.kinetic_energy()));
+  expect_same(*motion, single);
+}
+
+TEST(LaneField, KnowsTheTermsOfAnImpactOnThePotentialWall) {
+  ForceField field = field_of({0.02});
+  EXPECT_TRUE(LaneField::knows(field));
+  field.load.emplace(1.0);
+  EXPECT_FALSE(LaneField::knows(field));
+}
+
+class EveryLaneKernel : public KernelTest {};
+
+/// Forces, power and wall of each lane are those of one run, to the last bit.
+TEST_P(EveryLaneKernel, HasTheBitsOfOneRun) {
+  const Kernels& kernels = *GetParam();
+  for (const double k_b : {0.0, 0.5}) {
+    for (const double eta : {0.0, 0.3}) {
+      std::vector<Throw> throws;
+      for (int k = 0; k < kLanes; ++k)
+        throws.push_back({0.01 * k, 1.0 + k, eta * k, 100.0 + k, 0.01, k_b});
+      throws.front() = throws.back();
+      LaneField lanes(disk(), kMass, {k_b != 0.0, eta != 0.0}, kernels);
+      LaneState state;
+      LaneArray force;
+      for (LaneArray* const array : {&state.position, &state.velocity, &force})
+        lanes.resize(*array);
+      for (int k = 0; k < kLanes; ++k) {
+        const State start = start_of(throws[static_cast<std::size_t>(k)]);
+        lanes.set_lane(k, field_of(throws[static_cast<std::size_t>(k)]));
+        state.position.lane(k) = (1.0 + 0.001 * k) * start.position;
+        state.velocity.lane(k) = start.velocity;
+      }
+      const LaneLosses power = lanes.evaluate(state.position, state.velocity, force);
+      for (int k = 0; k < kLanes; ++k) {
+        const Throw& thrown = throws[static_cast<std::size_t>(k)];
+        BondForces bonds(disk(), {thrown.k_a, k_b, thrown.eta}, kernels);
+        PointArray expected(kPoints, 2);
+        const PointArray position = state.position.lane(k);
+        const double lost = bonds.evaluate(position, state.velocity.lane(k), expected);
+        const WallForce wall = kernels.potential_wall(
+            field_of(thrown).wall->law(), position.col(1).data(), kPoints, expected.col(1).data());
+        EXPECT_TRUE((force.lane(k) == expected).all()) << k;
+        EXPECT_EQ(power.dissipated(k), lost);
+        EXPECT_EQ(lanes.wall_force(k).total, wall.total);
+        EXPECT_EQ(lanes.wall_force(k).largest, wall.largest);
+        EXPECT_GT(wall.total, 0.0);
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(InstructionSets, EveryLaneKernel, all_kernels(), kernel_name);
+
+}  // namespace
+}  // namespace impact
