@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "mechanics/in_parts.hpp"
+
 namespace impact {
 
 namespace {
@@ -17,7 +19,8 @@ BondForces::BondForces(const Lattice& lattice, const BondLaw& law, const Kernels
       kernels_(&kernels),
       table_(table_of(lattice)),
       position_pairs_(static_cast<std::size_t>(kSlice * table_->slices()) * 2, 0.0),
-      velocity_pairs_(damped() ? position_pairs_.size() : 0, 0.0) {}
+      velocity_pairs_(damped() ? position_pairs_.size() : 0, 0.0),
+      part_sums_(static_cast<std::size_t>(parts_of(table_->points)), 0.0) {}
 
 std::shared_ptr<const BondForces::Table> BondForces::table_of(const Lattice& lattice) {
   const Eigen::Index points = lattice.points.rows();
@@ -67,7 +70,11 @@ BondForces BondForces::with(const BondLaw& law) const {
 }
 
 void BondForces::pair_up(const PointArray& points, Aligned<double>& pairs) const {
-  kernels_->pair_up(points.data(), points.data() + points.rows(), points.rows(), pairs.data());
+  const double* const x = points.data();
+  const double* const y = x + points.rows();
+  in_parts(points.rows(), [&](Eigen::Index /*part*/, Eigen::Index first, Eigen::Index size) {
+    kernels_->pair_up(x + first, y + first, size, pairs.data() + 2 * first);
+  });
 }
 
 double BondForces::evaluate(bool damped, const PointArray& position, PointArray& force) {
@@ -84,7 +91,12 @@ double BondForces::evaluate(bool damped, const PointArray& position, PointArray&
   const bool cubic = law_.k_b != 0.0;
   const BondKernel kernel = damped ? (cubic ? kernels_->cubic_damped : kernels_->linear_damped)
                                    : (cubic ? kernels_->cubic : kernels_->linear);
-  return kernel(evaluation, 0, table_->slices());
+  static_assert(kPart % kSlice == 0);
+  in_parts(table_->points, [&](Eigen::Index part, Eigen::Index first, Eigen::Index size) {
+    part_sums_[static_cast<std::size_t>(part)] =
+        kernel(evaluation, first / kSlice, whole_slices(first + size));
+  });
+  return std::accumulate(part_sums_.begin(), part_sums_.end(), 0.0);
 }
 
 double BondForces::evaluate(const PointArray& position, const PointArray& velocity,

@@ -90,6 +90,7 @@ class BondForces {
   std::shared_ptr<const Table> table_;
   Aligned<double> position_pairs_;
   Aligned<double> velocity_pairs_;  ///< empty without damping
+  std::vector<double> part_sums_;   ///< what a kernel returns, of each part of the points
 };
 
 }  // namespace impact

@@ -15,15 +15,25 @@ bool can_run(const Kernels& kernels) {
   return &kernels == &kPlainKernels;
 }
 
-const Kernels& kernels() {
+namespace {
+
+const Kernels* best_kernels() {
 #ifdef __x86_64__
-  static const Kernels& best = can_run(kAvx512Kernels) ? kAvx512Kernels
-                               : can_run(kAvx2Kernels) ? kAvx2Kernels
-                                                       : kPlainKernels;
-  return best;
-#else
-  return kPlainKernels;
+  if (can_run(kAvx512Kernels)) return &kAvx512Kernels;
+  if (can_run(kAvx2Kernels)) return &kAvx2Kernels;
 #endif
+  return &kPlainKernels;
 }
+
+const Kernels*& chosen_kernels() {
+  static const Kernels* chosen = best_kernels();
+  return chosen;
+}
+
+}  // namespace
+
+const Kernels& kernels() { return *chosen_kernels(); }
+
+void choose_kernels(const Kernels& kernels) { chosen_kernels() = &kernels; }
 
 }  // namespace impact

@@ -10,6 +10,9 @@ namespace impact {
 /// Points are treated in slices of this many.
 constexpr int kSlice = 8;
 
+/// Sums over points are taken over parts of so many, and then over the parts.
+constexpr int kPart = 2048;
+
 /// Smallest |r|² (R²), added to all: the places of a slice that hold no bond are bonds from a point
 /// to itself, of no length, and exert no force.
 constexpr double kLeastLengthSquared = 1e-300;
@@ -162,7 +165,11 @@ extern const Kernels kAvx512Kernels;  ///< AVX-512 F, DQ, VL
 /// Whether this processor has the instructions.
 bool can_run(const Kernels& kernels);
 
-/// The best of those that this processor can run.
+/// The best of those that this processor can run, unless others were chosen.
 const Kernels& kernels();
+
+/// Chooses kernels, which the processor must be able to run, for the rest of the program: for
+/// comparisons of instruction sets, whose results differ by rounding. Before anything else is done.
+void choose_kernels(const Kernels& kernels);
 
 }  // namespace impact

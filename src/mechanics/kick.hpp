@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+
 #include "lattice/lattice.hpp"
+#include "mechanics/in_parts.hpp"
 #include "mechanics/kernels.hpp"
 #include "mechanics/lanes.hpp"
 
@@ -9,7 +12,9 @@ namespace impact {
 
 /// v += factor · F.
 inline void kick(double factor, const PointArray& force, PointArray& velocity) {
-  kernels().kick(factor, force.data(), velocity.data(), velocity.size());
+  in_parts(velocity.rows(), [&](Eigen::Index /*part*/, Eigen::Index first, Eigen::Index size) {
+    kernels().kick(factor, force.data() + 2 * first, velocity.data() + 2 * first, 2 * size);
+  });
 }
 inline void kick(const LaneNumbers& factor, const LaneArray& force, LaneArray& velocity) {
   kernels().lanes.kick(factor.data(), force.data(), velocity.data(), velocity.coordinates());
@@ -18,8 +23,10 @@ inline void kick(const LaneNumbers& factor, const LaneArray& force, LaneArray& v
 /// v += factor · F, then x += h v.
 inline void kick_and_drift(double factor, const PointArray& force, double h, PointArray& velocity,
                            PointArray& position) {
-  kernels().kick_and_drift(factor, force.data(), h, velocity.data(), position.data(),
-                           position.size());
+  in_parts(position.rows(), [&](Eigen::Index /*part*/, Eigen::Index first, Eigen::Index size) {
+    kernels().kick_and_drift(factor, force.data() + 2 * first, h, velocity.data() + 2 * first,
+                             position.data() + 2 * first, 2 * size);
+  });
 }
 inline void kick_and_drift(const LaneNumbers& factor, const LaneArray& force, const LaneNumbers& h,
                            LaneArray& velocity, LaneArray& position) {
@@ -30,7 +37,12 @@ inline void kick_and_drift(const LaneNumbers& factor, const LaneArray& force, co
 /// Σ a b.
 inline double dot(const PointArray& a, const PointArray& b) {
   const auto column = [&](int axis) {
-    return kernels().dot(a.col(axis).data(), b.col(axis).data(), a.rows());
+    double sum = 0.0;
+    for (Eigen::Index first = 0; first < a.rows(); first += kPart) {
+      sum += kernels().dot(&a(first, axis), &b(first, axis),
+                           std::min<Eigen::Index>(kPart, a.rows() - first));
+    }
+    return sum;
   };
   return column(0) + column(1);
 }

@@ -1,6 +1,9 @@
 #include "mechanics/potential_wall.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "mechanics/in_parts.hpp"
 
 namespace impact {
 namespace {
@@ -10,8 +13,18 @@ constexpr double kReach = 60.0;  // in units of 1/a
 }  // namespace
 
 void PotentialWall::add_forces(const PointArray& position, PointArray& force) {
-  const WallForce all =
-      kernels().potential_wall(law(), position.col(1).data(), position.rows(), force.col(1).data());
+  const double* const y = position.col(1).data();
+  double* const fy = force.col(1).data();
+  parts_.resize(static_cast<std::size_t>(parts_of(position.rows())));
+  in_parts(position.rows(), [&](Eigen::Index part, Eigen::Index first, Eigen::Index size) {
+    parts_[static_cast<std::size_t>(part)] =
+        kernels().potential_wall(law(), y + first, size, fy + first);
+  });
+  WallForce all{0.0, 0.0};
+  for (const WallForce& part : parts_) {
+    all.total += part.total;
+    all.largest = std::max(all.largest, part.largest);
+  }
   take_in({0.0, all.total}, all.largest);
 }
 

@@ -27,6 +27,9 @@ class PotentialWall : public WallContact {
 
   /// The points that the wall pushes with more than `least_force` (M c²/R).
   std::vector<PointForce> contacts(const PointArray& position, double least_force) const;
+
+ private:
+  std::vector<WallForce> parts_;  ///< of the last evaluation, by parts of the points
 };
 
 }  // namespace impact

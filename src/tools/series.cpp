@@ -17,7 +17,7 @@
 #include <string>
 #include <utility>
 
-#include "mechanics/kernels.hpp"
+#include "mechanics/threads.hpp"
 #include "run/compose.hpp"
 #include "run/energy_monitor.hpp"
 #include "tools/experiment.hpp"
@@ -92,6 +92,7 @@ class Workers {
     return boost::asio::post(
         pool_, boost::asio::use_future([this, in_lanes, scenes = std::move(scenes),
                                         composition = std::move(composition)]() mutable {
+          threads_in_a_run() = 1;
           const std::function<bool()> stop = [this] { return stopped(); };
           const std::function<void()> done = [this] { ++done_; };
           return in_lanes ? simulate_side_by_side(scenes, stop, done)

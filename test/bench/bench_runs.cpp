@@ -9,7 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "mechanics/lane_field.hpp"
 #include "mechanics/simulation.hpp"
+#include "mechanics/threads.hpp"
 #include "run/compose.hpp"
 #include "run/resolution.hpp"
 #include "run/run.hpp"
@@ -59,6 +61,52 @@ BENCHMARK(force_evaluation<false, false>)->Apply(sizes);
 BENCHMARK(force_evaluation<true, false>)->Apply(sizes);
 BENCHMARK(force_evaluation<false, true>)->Apply(sizes);
 BENCHMARK(force_evaluation<true, true>)->Apply(sizes);
+
+/// The same by this many threads, in an impact, for where threads begin to pay.
+void step_by_threads(benchmark::State& state) {
+  Scene scene;
+  scene.disk.recipe.points = static_cast<int>(state.range(0));
+  scene.numerics.integrator = IntegratorKind::kVerlet;
+  threads_in_a_run() = static_cast<int>(state.range(1));
+  const Composition start = compose(scene);
+  Simulation simulation(start.field, start.initial, start.rates.lattice, start.resolution.step);
+  for (auto _ : state) simulation.step();
+  state.counters["bonds/s"] = per_iteration(bonds_of(scene));
+}
+BENCHMARK(step_by_threads)
+    ->ArgNames({"N", "threads"})
+    ->ArgsProduct({{1099, 10000, 30000, 100000, 200000, 400000, 1000000}, {1, 2}})
+    ->UseRealTime()
+    ->Unit(benchmark::kMicrosecond);
+
+/// As force_evaluation, of kLanes runs side by side, at the wall.
+template <bool kDamped>
+void force_evaluation_in_lanes(benchmark::State& state) {
+  Scene scene;
+  scene.disk.recipe.points = static_cast<int>(state.range(0));
+  scene.impact.gap = 0.0;
+  if (kDamped) scene.material.eta = 1.0;
+  const Composition start = compose(scene);
+  LaneField field(start.bodies->disk, start.field.point_mass, LaneField::kind_of(start.field));
+  LaneState lanes;
+  LaneArray force;
+  for (LaneArray* const array : {&lanes.position, &lanes.velocity, &force}) field.resize(*array);
+  for (int lane = 0; lane < kLanes; ++lane) {
+    field.set_lane(lane, start.field);
+    lanes.position.lane(lane) = start.initial.position;
+    lanes.velocity.lane(lane) = start.bodies->disk.points;
+  }
+  for (auto _ : state) {
+    field.evaluate(lanes.position, lanes.velocity, force);
+    benchmark::ClobberMemory();
+  }
+  state.counters["bonds/s"] = per_iteration(kLanes * bonds_of(scene));
+}
+void lane_sizes(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Arg(1000)->Arg(10000)->Arg(30000)->Arg(100000)->Unit(benchmark::kMicrosecond);
+}
+BENCHMARK(force_evaluation_in_lanes<false>)->Apply(lane_sizes);
+BENCHMARK(force_evaluation_in_lanes<true>)->Apply(lane_sizes);
 
 /// The default impact, again and again.
 template <IntegratorKind kIntegrator>

@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "lattice/input_error.hpp"
 #include "lattice/lammps_data.hpp"
+#include "mechanics/kernels.hpp"
 #include "mechanics/simulation.hpp"
 #include "run/compose.hpp"
 #include "run/resolution.hpp"
@@ -30,6 +32,13 @@ Simulation simulation_of(const Scene& scene, Composition composition) {
   const double sound_speed = composition.rates.sound_speed;
   return {std::move(composition.field), std::move(composition.initial), composition.rates.lattice,
           composition.resolution.step, make_integrator(scene, composition.resolution, sound_speed)};
+}
+
+const Kernels& kernels_named(const std::string& name) {
+  for (const Kernels* const kernels : {&kAvx512Kernels, &kAvx2Kernels, &kPlainKernels}) {
+    if (kernels->name == name && can_run(*kernels)) return *kernels;
+  }
+  throw InputError(fmt::format("--instructions: got {}, not on this processor", name));
 }
 
 /// Wall time in s.
@@ -54,14 +63,17 @@ int main(int argc, char** argv) {
   std::string scene_file;
   std::uint64_t steps = 0;
   std::vector<std::string> assignments;
+  std::string instructions;
   std::string lattice_file;
   std::string positions_file;
   app.add_option("scene", scene_file, "scene file")->required();
   app.add_option("steps", steps, "how many")->required();
   app.add_option("assignments", assignments, "key=value, replaces that key of the scene");
+  app.add_option("--instructions", instructions, "AVX-512, AVX2 or plain; the best unless given");
   app.add_option("--lattice", lattice_file, "LAMMPS data file to write the lattice to");
   app.add_option("--positions", positions_file, "file to write the final positions to");
   return impact::run_tool(app, argc, argv, [&] {
+    if (!instructions.empty()) impact::choose_kernels(impact::kernels_named(instructions));
     const impact::Scene scene = impact::scene_of(scene_file, assignments);
     impact::Composition composition = impact::compose(scene);
     if (!lattice_file.empty()) {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+
+#include "mechanics/kernels.hpp"
+#include "mechanics/threads.hpp"
+
+namespace impact {
+
+/// With fewer parts than this the other threads do not pay (test/bench/bench_runs.cpp).
+constexpr Eigen::Index kFewestParts = 64;
+
+inline Eigen::Index parts_of(Eigen::Index points) { return (points + kPart - 1) / kPart; }
+
+/// Calls work(part, first, size) for each part of the points, kPart of them or what is left, on
+/// several threads if there is more than one part. What is summed up by parts is the same for any
+/// number of threads.
+template <class Work>
+void in_parts(Eigen::Index points, const Work& work) {
+  const Eigen::Index parts = parts_of(points);
+  const auto do_part = [&](Eigen::Index part) {
+    const Eigen::Index first = part * kPart;
+    work(part, first, std::min<Eigen::Index>(kPart, points - first));
+  };
+  if (parts < kFewestParts) {
+    for (Eigen::Index part = 0; part < parts; ++part) do_part(part);
+    return;
+  }
+  const int threads = threads_in_a_run();
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (Eigen::Index part = 0; part < parts; ++part) do_part(part);
+}
+
+}  // namespace impact

@@ -1,0 +1,58 @@
+#include "mechanics/in_parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <vector>
+
+#include "mechanics/force_field.hpp"
+#include "mechanics/kick.hpp"
+#include "test_lattices.hpp"
+
+namespace impact {
+namespace {
+
+TEST(InParts, CoversEveryPointOnce) {
+  for (const Eigen::Index points : {0, 1, 2048, 2049, 140000}) {
+    std::vector<int> visits(static_cast<std::size_t>(points), 0);
+    in_parts(points, [&](Eigen::Index part, Eigen::Index first, Eigen::Index size) {
+      EXPECT_EQ(first, part * kPart);
+      for (Eigen::Index i = first; i < first + size; ++i) ++visits[static_cast<std::size_t>(i)];
+    });
+    EXPECT_EQ(std::accumulate(visits.begin(), visits.end(), 0), points);
+  }
+}
+
+/// A step of a lattice large enough for several threads.
+TEST(InParts, TheNumberOfThreadsDoesNotChangeABit) {
+  struct Outcome {
+    PointArray position, velocity, force;
+    double lost, wall;
+  };
+  const Lattice lattice = triangular_patch(400, 350);
+  const auto step = [&](int threads) {
+    threads_in_a_run() = threads;
+    ForceField field{BondForces(lattice, {1.0, 0.5, 0.1}), 1.0};
+    field.wall.emplace(3.0, 2.0);
+    const PointArray wave = (7.0 * lattice.points).sin();
+    Outcome outcome{lattice.points + 0.1 * wave, wave, lattice.points, 0.0, 0.0};
+    outcome.lost = field.evaluate(outcome.position, outcome.velocity, outcome.force).dissipated;
+    outcome.wall = field.wall->total_force().y();
+    kick_and_drift(0.1, outcome.force, 0.2, outcome.velocity, outcome.position);
+    kick(0.3, outcome.force, outcome.velocity);
+    return outcome;
+  };
+  const int threads = threads_in_a_run();
+  const Outcome by_one = step(1);
+  const Outcome by_three = step(3);
+  threads_in_a_run() = threads;
+  EXPECT_TRUE((by_one.force == by_three.force).all());
+  EXPECT_TRUE((by_one.position == by_three.position).all());
+  EXPECT_TRUE((by_one.velocity == by_three.velocity).all());
+  EXPECT_EQ(by_one.lost, by_three.lost);
+  EXPECT_EQ(by_one.wall, by_three.wall);
+  EXPECT_GT(by_one.wall, 1.0);
+}
+
+}  // namespace
+}  // namespace impact
