@@ -32,12 +32,16 @@ void Simulation::reset_velocities() {
 }
 
 bool Simulation::settle(double tolerance) {
-  const EquilibriumSearch search = find_equilibrium(field_, state_.position, tolerance);
+  const EquilibriumSearch search = solver_->find(field_, state_.position, tolerance);
   state_.velocity.setZero();
   ticks_ += static_cast<std::uint64_t>(search.iterations);
   state_.step += static_cast<std::uint64_t>(search.iterations);
   state_.time = static_cast<double>(ticks_) * step_size_;
   return search.found;
+}
+
+PointArray Simulation::equilibrium_correction() const {
+  return solver_->correction(field_, state_.position);
 }
 
 void Simulation::reload(double p) {

@@ -1,15 +1,14 @@
 #include "mechanics/static_equilibrium.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <cstdint>
+#include <iterator>
 
 namespace impact {
 namespace {
 
 using Vector = Eigen::VectorXd;
-using Factorisation = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
 
 constexpr int kMostIterations = 500;
 constexpr double kLongestMove = 3.0;          // in ranges 1/a of the wall
@@ -18,14 +17,20 @@ constexpr int kMostHalvings = 40;
 constexpr double kFirstShift = 1e-6;  // in units of the stiffness matrix's largest diagonal element
 constexpr int kMostShifts = 8;        // each ten times the one before
 
+/// Whether a rigid shift along this axis (0: x, 1: y) costs no energy.
+bool shifts_freely(const ForceField& field, int axis) {
+  const bool supported = field.supports && !field.supports->held(axis).empty();
+  return !supported && (axis == 0 || !field.wall);
+}
+
 Vector flat(const PointArray& points) {
   return Eigen::Map<const Vector>(points.data(), points.size());
 }
 
 class Search {
  public:
-  Search(ForceField& field, PointArray& position)
-      : field_(field), position_(position), force_(position.rows(), 2) {}
+  Search(TangentStiffness& stiffness, ForceField& field, PointArray& position)
+      : stiffness_(stiffness), field_(field), position_(position), force_(position.rows(), 2) {}
 
   EquilibriumSearch run(double tolerance) {
     EquilibriumSearch search;
@@ -51,43 +56,19 @@ class Search {
     return force_.abs().maxCoeff();
   }
 
-  /// Whether a rigid shift along this axis (0: x, 1: y) costs no energy.
-  bool shifts_freely(int axis) const {
-    const bool supported = field_.supports && !field_.supports->held(axis).empty();
-    return !supported && (axis == 0 || !field_.wall);
-  }
-
-  /// The tangent stiffness, the supported coordinates uncoupled, and with one point tied to its
-  /// place along an axis that shifts freely. Since nothing acts along it from outside, the tie
-  /// carries no force, and only picks one of the equivalent shifts.
-  Eigen::SparseMatrix<double> stiffness() const {
-    const auto points = static_cast<std::int32_t>(position_.rows());
-    const Eigen::Index coordinates = 2 * position_.rows();
-    std::vector<Eigen::Triplet<double>> entries = field_.stiffness(position_);
-    for (const int axis : {0, 1}) {
-      if (shifts_freely(axis)) entries.emplace_back(axis * points, axis * points, 1.0);
-    }
-    Eigen::SparseMatrix<double> matrix(coordinates, coordinates);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
-  }
-
   /// The displacements u with K u = f that keep the constraint; shifted until they lead downhill.
   PointArray newton_step() {
-    const Eigen::SparseMatrix<double> matrix = stiffness();
-    const double scale = matrix.diagonal().maxCoeff();
+    stiffness_.set(field_, position_);
+    const double scale = stiffness_.largest_diagonal();
     const Vector force = flat(force_);
-    Factorisation factorisation;
-    factorisation.analyzePattern(matrix);
     for (int attempt = 0; attempt <= kMostShifts; ++attempt) {
       const double shift = attempt == 0 ? 0.0 : kFirstShift * scale * std::pow(10.0, attempt - 1);
-      factorisation.setShift(shift);
-      factorisation.factorize(matrix);
-      if (factorisation.info() != Eigen::Success) continue;
-      Vector step = factorisation.solve(force);
+      const TangentStiffness::Factors* const factors = stiffness_.factorise(shift);
+      if (factors == nullptr) continue;
+      Vector step = factors->solve(force);
       if (field_.hold) {
         const Vector direction = flat(field_.hold->direction());
-        const Vector response = factorisation.solve(direction);
+        const Vector response = factors->solve(direction);
         step -= response * (direction.dot(step) / direction.dot(response));
       }
       if (step.dot(force) > 0.0) return shaped(step);
@@ -99,7 +80,7 @@ class Search {
   PointArray shaped(const Vector& step) const {
     PointArray moves = Eigen::Map<const PointArray>(step.data(), position_.rows(), 2);
     for (const int axis : {0, 1}) {
-      if (shifts_freely(axis)) moves.col(axis) -= moves.col(axis).mean();
+      if (shifts_freely(field_, axis)) moves.col(axis) -= moves.col(axis).mean();
     }
     if (field_.wall) {
       const double longest = moves.abs().maxCoeff();
@@ -131,6 +112,7 @@ class Search {
     return false;
   }
 
+  TangentStiffness& stiffness_;
   ForceField& field_;
   PointArray& position_;
   PointArray force_;
@@ -138,12 +120,50 @@ class Search {
 
 }  // namespace
 
-EquilibriumSearch find_equilibrium(ForceField& field, PointArray& position, double tolerance) {
-  return Search(field, position).run(tolerance);
+void TangentStiffness::set(const ForceField& field, const PointArray& position) {
+  const auto points = static_cast<std::int32_t>(position.rows());
+  std::vector<Eigen::Triplet<double>> entries = field.stiffness(position);
+  for (const int axis : {0, 1}) {
+    if (shifts_freely(field, axis)) entries.emplace_back(axis * points, axis * points, 1.0);
+  }
+  if (places_.empty()) {
+    matrix_.resize(2 * points, 2 * points);
+    find_places(entries);
+  }
+  matrix_.coeffs() = 0.0;
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    if (places_[k] >= 0) matrix_.valuePtr()[places_[k]] += entries[k].value();
+  }
 }
 
-PointArray equilibrium_correction(ForceField field, PointArray position) {
-  return Search(field, position).first_step();
+void TangentStiffness::find_places(const std::vector<Eigen::Triplet<double>>& entries) {
+  std::vector<Eigen::Triplet<double>> lower;
+  std::copy_if(entries.begin(), entries.end(), std::back_inserter(lower),
+               [](const auto& entry) { return entry.row() >= entry.col(); });
+  matrix_.setFromTriplets(lower.begin(), lower.end());
+  for (const auto& entry : entries) {
+    const int* const rows = matrix_.innerIndexPtr();
+    const int* const end = rows + matrix_.outerIndexPtr()[entry.col() + 1];
+    const int* const place =
+        std::lower_bound(rows + matrix_.outerIndexPtr()[entry.col()], end, entry.row());
+    places_.push_back(entry.row() >= entry.col() ? place - rows : -1);
+  }
+  factors_.analyzePattern(matrix_);
+}
+
+const TangentStiffness::Factors* TangentStiffness::factorise(double shift) {
+  factors_.setShift(shift);
+  factors_.factorize(matrix_);
+  return factors_.info() == Eigen::Success ? &factors_ : nullptr;
+}
+
+EquilibriumSearch EquilibriumSolver::find(ForceField& field, PointArray& position,
+                                          double tolerance) {
+  return Search(stiffness_, field, position).run(tolerance);
+}
+
+PointArray EquilibriumSolver::correction(ForceField field, PointArray position) {
+  return Search(stiffness_, field, position).first_step();
 }
 
 }  // namespace impact

@@ -48,6 +48,9 @@ class Run {
   /// contact that is solved without motion.
   void reload(double p);
 
+  /// See Simulation::equilibrium_correction().
+  PointArray equilibrium_correction() const { return simulation_->equilibrium_correction(); }
+
   bool finished() const { return finished_; }
   const Lattice& lattice() const { return composition_->bodies->disk; }
   /// Of an elastic wall; nullptr when the scene has none.

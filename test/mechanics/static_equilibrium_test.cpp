@@ -21,7 +21,7 @@ TEST(FindEquilibrium, OfATriangleOnItsCorner) {
   field.hold.emplace(points);
   PointArray position = points;
   position.col(1) += field.wall->gap_of_force(0.003);
-  const EquilibriumSearch search = find_equilibrium(field, position, 1e-15);
+  const EquilibriumSearch search = EquilibriumSolver().find(field, position, 1e-15);
   ASSERT_TRUE(search.found);
 
   EXPECT_NEAR(field.wall->force_at(position(0, 1)), 0.003, 1e-14);
@@ -84,7 +84,7 @@ TEST(FindEquilibrium, KeepsTheHeldRotationAndTheCentre) {
   field.hold.emplace(lattice.points);
   PointArray position = lattice.points;
   position.col(1) += field.wall->gap_of_force(0.01);
-  ASSERT_TRUE(find_equilibrium(field, position, 1e-14).found);
+  ASSERT_TRUE(EquilibriumSolver().find(field, position, 1e-14).found);
   EXPECT_NEAR((field.hold->direction() * (position - lattice.points)).sum(), 0.0, 1e-12);
   EXPECT_NEAR(position.col(0).mean(), lattice.points.col(0).mean(), 1e-14);
 }
@@ -94,7 +94,7 @@ TEST(FindEquilibrium, SaysWhenThereIsNone) {
   ForceField field{BondForces(triangle(), {1.0, 0.0, 0.0}), 1.0 / 3.0};
   field.load.emplace(0.01);
   PointArray position = triangle().points;
-  EXPECT_FALSE(find_equilibrium(field, position, 1e-14).found);
+  EXPECT_FALSE(EquilibriumSolver().find(field, position, 1e-14).found);
 }
 
 /// A triangular patch drawn out by grips that let its ends contract. Uniaxial stress leaves the
@@ -114,7 +114,7 @@ TEST(FindEquilibrium, OfAStretchedPatchWithFrictionlessGrips) {
   field.supports.emplace(grips, std::vector<std::int32_t>{});
   PointArray position = lattice.points;
   for (const std::int32_t point : grips) position(point, 0) *= 1.0 + kStrain;
-  ASSERT_TRUE(find_equilibrium(field, position, 1e-14).found);
+  ASSERT_TRUE(EquilibriumSolver().find(field, position, 1e-14).found);
 
   // A force of 10⁻¹⁴ stops the search; soft modes are weaker than a bond by about 100.
   constexpr double kRest = 1e-12;
