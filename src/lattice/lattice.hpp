@@ -9,6 +9,11 @@ namespace impact {
 /// Positions, velocities or forces: one row a point, columns x and y.
 using PointArray = Eigen::Array<double, Eigen::Dynamic, 2>;
 
+/// Such an array, of whatever owner and layout, to read and to write.
+using AnyStride = Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>;
+using ConstPoints = Eigen::Ref<const PointArray, 0, AnyStride>;
+using Points = Eigen::Ref<PointArray, 0, AnyStride>;
+
 /// A spring between two points, by their 0-based indices; `first < second`.
 struct Bond {
   std::int32_t first;

@@ -8,7 +8,7 @@ namespace impact {
 
 ElasticWall::ElasticWall(const WallContact& law, double threshold, GapMeasure measure,
                          Eigen::Index disk_points, std::vector<std::int32_t> surface,
-                         const PointArray& position)
+                         const ConstPoints& position)
     : WallContact(law),
       threshold_(threshold),
       measure_(measure),
@@ -20,7 +20,7 @@ ElasticWall::ElasticWall(const WallContact& law, double threshold, GapMeasure me
   counted_bond_ = bond_;
 }
 
-void ElasticWall::add_forces(const PointArray& position, PointArray& force) {
+void ElasticWall::add_forces(const ConstPoints& position, Points force) {
   if (measure_ == GapMeasure::kNormal) {
     add<GapMeasure::kNormal>(position, force);
   } else {
@@ -29,7 +29,7 @@ void ElasticWall::add_forces(const PointArray& position, PointArray& force) {
 }
 
 template <GapMeasure kMeasure>
-ElasticWall::Gap ElasticWall::gap(const PointArray& position, Eigen::Index point,
+ElasticWall::Gap ElasticWall::gap(const ConstPoints& position, Eigen::Index point,
                                   std::int32_t bond) const {
   const std::int32_t first = surface_[static_cast<std::size_t>(bond)];
   const std::int32_t second = surface_[static_cast<std::size_t>(bond) + 1];
@@ -47,14 +47,14 @@ ElasticWall::Gap ElasticWall::gap(const PointArray& position, Eigen::Index point
   }
 }
 
-ElasticWall::Gap ElasticWall::gap(const PointArray& position, Eigen::Index point,
+ElasticWall::Gap ElasticWall::gap(const ConstPoints& position, Eigen::Index point,
                                   std::int32_t bond) const {
   return measure_ == GapMeasure::kNormal ? gap<GapMeasure::kNormal>(position, point, bond)
                                          : gap<GapMeasure::kVertical>(position, point, bond);
 }
 
 template <GapMeasure kMeasure>
-void ElasticWall::add(const PointArray& position, PointArray& force) {
+void ElasticWall::add(const ConstPoints& position, Points force) {
   clear();
   const double highest = highest_in_reach(position);
   for (Eigen::Index i = 0; i < disk_points_; ++i) {
@@ -81,7 +81,7 @@ void ElasticWall::add(const PointArray& position, PointArray& force) {
   }
 }
 
-double ElasticWall::highest_in_reach(const PointArray& position) const {
+double ElasticWall::highest_in_reach(const ConstPoints& position) const {
   // A gap measured perpendicular to a bond is at least half the vertical one on slopes up to √3.
   constexpr double kSteepest = 2.0;
   double top = position(surface_.front(), 1);
@@ -89,7 +89,7 @@ double ElasticWall::highest_in_reach(const PointArray& position) const {
   return top + kSteepest * threshold_;
 }
 
-std::int32_t ElasticWall::bond_below(const PointArray& position, double x,
+std::int32_t ElasticWall::bond_below(const ConstPoints& position, double x,
                                      std::int32_t guess) const {
   const auto x_of = [&](std::int32_t k) {
     return position(surface_[static_cast<std::size_t>(k)], 0);
@@ -108,7 +108,7 @@ std::int32_t ElasticWall::bond_below(const PointArray& position, double x,
   return k;
 }
 
-void ElasticWall::count_hops(const PointArray& position) {
+void ElasticWall::count_hops(const ConstPoints& position) {
   for (std::size_t i = 0; i < bond_.size(); ++i) {
     if (bond_[i] == counted_bond_[i]) continue;
     const auto point = static_cast<Eigen::Index>(i);
@@ -120,12 +120,12 @@ void ElasticWall::count_hops(const PointArray& position) {
   counted_bond_ = bond_;
 }
 
-double ElasticWall::potential_of(const PointArray& position, Eigen::Index point,
+double ElasticWall::potential_of(const ConstPoints& position, Eigen::Index point,
                                  std::int32_t bond) const {
   return bond == kNone ? 0.0 : potential_at(gap(position, point, bond).length);
 }
 
-double ElasticWall::potential_energy(const PointArray& position) const {
+double ElasticWall::potential_energy(const ConstPoints& position) const {
   double energy = 0.0;
   for (Eigen::Index i = 0; i < disk_points_; ++i) {
     energy += potential_of(position, i, bond_[static_cast<std::size_t>(i)]);
@@ -134,7 +134,7 @@ double ElasticWall::potential_energy(const PointArray& position) const {
 }
 
 template <class Use>
-void ElasticWall::for_each_contact(const PointArray& position, const Use& use) const {
+void ElasticWall::for_each_contact(const ConstPoints& position, const Use& use) const {
   for (Eigen::Index i = 0; i < disk_points_; ++i) {
     const std::int32_t bond = bond_[static_cast<std::size_t>(i)];
     if (bond == kNone) continue;
@@ -143,7 +143,7 @@ void ElasticWall::for_each_contact(const PointArray& position, const Use& use) c
   }
 }
 
-std::vector<PointForce> ElasticWall::contacts(const PointArray& position,
+std::vector<PointForce> ElasticWall::contacts(const ConstPoints& position,
                                               double least_force) const {
   std::vector<PointForce> contacts;
   for_each_contact(position, [&](std::int32_t point, std::int32_t, const Gap& gap, double size) {
@@ -152,7 +152,7 @@ std::vector<PointForce> ElasticWall::contacts(const PointArray& position,
   return contacts;
 }
 
-std::vector<PointForce> ElasticWall::reactions(const PointArray& position,
+std::vector<PointForce> ElasticWall::reactions(const ConstPoints& position,
                                                double least_force) const {
   std::vector<PointForce> on_surface;
   for (const std::int32_t point : surface_) {

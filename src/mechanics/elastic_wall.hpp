@@ -34,20 +34,20 @@ class ElasticWall : public WallContact {
   /// wall's top side in the order of x. `threshold` in R.
   ElasticWall(const WallContact& law, double threshold, GapMeasure measure,
               Eigen::Index disk_points, std::vector<std::int32_t> surface,
-              const PointArray& position);
+              const ConstPoints& position);
 
-  void add_forces(const PointArray& position, PointArray& force);
+  void add_forces(const ConstPoints& position, Points force);
 
   /// Compares the bonds below the points with those at the count before. To be called where a step
   /// of the motion is done, at the position of the last evaluation: those between, of the stages of
   /// an integrator, do not count.
-  void count_hops(const PointArray& position);
+  void count_hops(const ConstPoints& position);
 
   /// Gap (R) from which on nothing is felt.
   double threshold() const { return threshold_; }
 
   /// With the bond below each point as in the last evaluation.
-  double potential_energy(const PointArray& position) const;
+  double potential_energy(const ConstPoints& position) const;
 
   /// Energy that appeared because a point in reach came to another bond, or in or out of reach,
   /// from count to count so far (M c²): the sum of its changes, and of their sizes.
@@ -55,9 +55,9 @@ class ElasticWall : public WallContact {
   double hops_size() const { return hops_size_; }
 
   /// The points of the disk that the wall pushes with more than `least_force` (M c²/R).
-  std::vector<PointForce> contacts(const PointArray& position, double least_force) const;
+  std::vector<PointForce> contacts(const ConstPoints& position, double least_force) const;
   /// The reactions to those forces, by point of the wall.
-  std::vector<PointForce> reactions(const PointArray& position, double least_force) const;
+  std::vector<PointForce> reactions(const ConstPoints& position, double least_force) const;
 
  private:
   static constexpr std::int32_t kNone = -1;
@@ -70,16 +70,16 @@ class ElasticWall : public WallContact {
   };
 
   template <GapMeasure kMeasure>
-  Gap gap(const PointArray& position, Eigen::Index point, std::int32_t bond) const;
-  Gap gap(const PointArray& position, Eigen::Index point, std::int32_t bond) const;
+  Gap gap(const ConstPoints& position, Eigen::Index point, std::int32_t bond) const;
+  Gap gap(const ConstPoints& position, Eigen::Index point, std::int32_t bond) const;
   template <GapMeasure kMeasure>
-  void add(const PointArray& position, PointArray& force);
+  void add(const ConstPoints& position, Points force);
   template <class Use>
-  void for_each_contact(const PointArray& position, const Use& use) const;
+  void for_each_contact(const ConstPoints& position, const Use& use) const;
   /// The bond straight below a place; kNone beside the wall.
-  std::int32_t bond_below(const PointArray& position, double x, std::int32_t guess) const;
-  double highest_in_reach(const PointArray& position) const;
-  double potential_of(const PointArray& position, Eigen::Index point, std::int32_t bond) const;
+  std::int32_t bond_below(const ConstPoints& position, double x, std::int32_t guess) const;
+  double highest_in_reach(const ConstPoints& position) const;
+  double potential_of(const ConstPoints& position, Eigen::Index point, std::int32_t bond) const;
 
   double threshold_;
   GapMeasure measure_;

@@ -121,8 +121,10 @@ struct LaneKernels {
                          double* x, std::int64_t size);
   /// Σ a b of each lane.
   void (*dot)(const double* a, const double* b, std::int64_t points, double* result);
-  /// Σ v² of each lane, and its lowest vertical velocity where that is below 0, else 0.
-  void (*speeds)(const double* velocity, std::int64_t points, double* squared, double* lowest);
+  /// Adds Σ v² of each lane to `squared`. Its lowest vertical velocity, where that is below 0, else
+  /// 0; and its highest, where that is above 0, else 0.
+  void (*speeds)(const double* velocity, std::int64_t points, double* squared, double* lowest,
+                 double* highest);
   /// Adds the wall's forces; `total` and `largest` of each lane are those of WallForce.
   void (*potential_wall)(const LaneWallLaw& law, const double* position, std::int64_t points,
                          double* force, double* total, double* largest);

@@ -53,10 +53,9 @@ void LaneBundle::board(LaneMotion& motion) {
 
   motion.bundle_ = this;
   motion.lane_ = lane;
-  motion.approach_ = std::max(0.0, -motion.state_.velocity.col(1).minCoeff());
-  motion.squared_speed_ = motion.state_.velocity.square().sum();
   *free = &motion;
   ++on_board_;
+  look_at_speeds();
 }
 
 void LaneBundle::leave(LaneMotion& motion) {
@@ -72,27 +71,58 @@ void LaneBundle::step() {
   for (LaneMotion* const motion : motions_) {
     if (motion == nullptr) continue;
     const int halvings = motion->halvings();
-    motion->limit_step(*motion->field_.wall, motion->approach_, *integrator_);
+    motion->limit_step(*motion->field_.contact(), motion->approach_, *integrator_);
     step_size_(motion->lane_) = motion->step_size();
     if (needs_common_step_ && motion->halvings() > halvings) leave(*motion);
   }
   if (on_board_ == 0) return;
   const std::uint64_t evaluations = field_.evaluations;
   const LaneLosses lost = integrator_->step(field_, state_, step_size_);
-  LaneNumbers squared_speed;
-  LaneNumbers lowest_speed;
-  kernels().lanes.speeds(state_.velocity.data(), state_.velocity.points(), squared_speed.data(),
-                         lowest_speed.data());
+  for (LaneMotion* const motion : motions_) {
+    if (motion != nullptr) take_step(*motion, lost, field_.evaluations - evaluations);
+  }
+  look_at_speeds();
+}
+
+/// What Simulation does at the end of a step.
+void LaneBundle::take_step(LaneMotion& motion, const LaneLosses& lost, std::uint64_t evaluations) {
+  const int lane = motion.lane_;
+  ForceField& field = motion.field_;
+  field.evaluations += evaluations;
+  if (field.elastic_wall) {
+    field.elastic_wall->count_hops(state_.position.lane(lane));
+  } else {
+    const WallForce wall = field_.wall_force(lane);
+    field.wall->take_in({0.0, wall.total}, wall.largest);
+  }
+  motion.is_current_ = false;
+  motion.count_step({lost.dissipated(lane), lost.absorbed(lane)});
+  if (motion.reset_is_due()) {
+    motion.losses_.absorbed +=
+        field.velocity_reset->apply(state_.velocity.lane(lane), field.point_mass);
+  }
+}
+
+void LaneBundle::look_at_speeds() {
+  LaneNumbers squared = LaneNumbers::Zero();
+  LaneNumbers down;
+  LaneNumbers up = LaneNumbers::Zero();
+  LaneNumbers unused;
+  const double* const velocity = state_.velocity.data();
+  const Eigen::Index points = state_.velocity.points();
+  const auto any =
+      std::find_if(motions_.begin(), motions_.end(), [](auto* m) { return m != nullptr; });
+  const Eigen::Index of_wall = (*any)->field_.wall_points;
+  const LaneKernels& lanes = kernels().lanes;
+  lanes.speeds(velocity, points - of_wall, squared.data(), down.data(), unused.data());
+  if (of_wall > 0) {
+    lanes.speeds(velocity + 2 * kLanes * (points - of_wall), of_wall, squared.data(), unused.data(),
+                 up.data());
+  }
   for (LaneMotion* const motion : motions_) {
     if (motion == nullptr) continue;
-    const int lane = motion->lane_;
-    motion->is_current_ = false;
-    motion->approach_ = -lowest_speed(lane);
-    motion->squared_speed_ = squared_speed(lane);
-    motion->field_.evaluations += field_.evaluations - evaluations;
-    const WallForce wall = field_.wall_force(lane);
-    motion->field_.wall->take_in({0.0, wall.total}, wall.largest);
-    motion->count_step({lost.dissipated(lane), lost.absorbed(lane)});
+    motion->approach_ = up(motion->lane_) - down(motion->lane_);
+    motion->squared_speed_ = squared(motion->lane_);
   }
 }
 

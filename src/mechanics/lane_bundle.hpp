@@ -31,7 +31,7 @@ class LaneMotion : public Motion {
 
   LaneBundle* bundle_ = nullptr;
   int lane_ = 0;
-  double approach_ = 0.0;           ///< greatest downward speed of a point, c
+  double approach_ = 0.0;           ///< as Simulation::approach_speed()
   double squared_speed_ = 0.0;      ///< Σ v², c²
   mutable bool is_current_ = true;  ///< the positions and velocities of the state
 };
@@ -42,8 +42,8 @@ class LaneBundle {
  public:
   using MakeIntegrator = std::function<std::unique_ptr<FixedStepIntegrator<LaneField>>()>;
 
-  /// `needs_common_step`: whether the integrator takes the same step and damping for granted in all
-  /// lanes.
+  /// `lattice`: of the disk and, after it, an elastic wall. `needs_common_step`: whether the
+  /// integrator takes the same step and damping for granted in all lanes.
   LaneBundle(const Lattice& lattice, double point_mass, LaneField::Kind kind,
              const MakeIntegrator& make_integrator, bool needs_common_step);
   LaneBundle(const LaneBundle&) = delete;
@@ -53,8 +53,10 @@ class LaneBundle {
 
   bool is_full() const { return on_board_ == kLanes; }
 
-  /// Puts a motion in a free lane, where it stays to the end of its life or of the bundle's.
+  /// Puts a motion in a free lane, where it stays until it leaves, to the end of its life or of
+  /// the bundle's at most.
   void board(LaneMotion& motion);
+  void leave(LaneMotion& motion);
 
   /// A step of every motion on board. One whose step has to be halved, when the integrator needs a
   /// common one, leaves instead.
@@ -63,7 +65,8 @@ class LaneBundle {
  private:
   friend class LaneMotion;
 
-  void leave(LaneMotion& motion);
+  void take_step(LaneMotion& motion, const LaneLosses& lost, std::uint64_t evaluations);
+  void look_at_speeds();
   void read(int lane, State& state) const;
 
   LaneField field_;

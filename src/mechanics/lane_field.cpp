@@ -6,8 +6,8 @@
 namespace impact {
 
 bool LaneField::knows(const ForceField& field) {
-  return field.wall && !field.load && !field.hold && !field.supports && !field.viscous_boundary &&
-         !field.velocity_reset;
+  const bool at_a_wall = field.wall || (field.elastic_wall && !field.damped());
+  return at_a_wall && !field.load && !field.hold;
 }
 
 LaneField::LaneField(const Lattice& lattice, double mass, Kind kind, const Kernels& kernels)
@@ -26,16 +26,19 @@ LaneField::LaneField(const Lattice& lattice, double mass, Kind kind, const Kerne
   for (int lane = 0; lane < kLanes; ++lane) clear_lane(lane);
 }
 
-void LaneField::set_lane(int lane, const ForceField& field) {
+void LaneField::set_lane(int lane, ForceField& field) {
   const BondLaw& bonds = field.bonds.law();
   k_a_(lane) = bonds.k_a;
   k_b_(lane) = bonds.k_b;
   eta_(lane) = bonds.eta;
-  const WallLaw wall = field.wall->law();
-  wall_a_(lane) = wall.a;
-  wall_force_at_zero_(lane) = wall.force_at_zero;
-  wall_reach_(lane) = wall.reach;
-  latest_ = field;
+  if (field.wall) {
+    const WallLaw wall = field.wall->law();
+    wall_a_(lane) = wall.a;
+    wall_force_at_zero_(lane) = wall.force_at_zero;
+    wall_reach_(lane) = wall.reach;
+  }
+  fields_[static_cast<std::size_t>(lane)] = &field;
+  if (kind_.damped) latest_ = field;
 }
 
 void LaneField::clear_lane(int lane) {
@@ -44,6 +47,16 @@ void LaneField::clear_lane(int lane) {
     (*constants)(lane) = 0.0;
   }
   wall_reach_(lane) = -std::numeric_limits<double>::infinity();
+  fields_[static_cast<std::size_t>(lane)] = nullptr;
+}
+
+void LaneField::add_own_terms(const LaneArray& position, LaneArray& force) {
+  for (int lane = 0; lane < kLanes; ++lane) {
+    ForceField* const field = fields_[static_cast<std::size_t>(lane)];
+    if (field == nullptr) continue;
+    field->elastic_wall->add_forces(position.lane(lane), force.lane(lane));
+    if (field->supports) field->supports->apply(force.lane(lane));
+  }
 }
 
 LaneNumbers LaneField::evaluate(bool damped, const LaneArray& position, const double* velocity,
@@ -63,9 +76,13 @@ LaneNumbers LaneField::evaluate(bool damped, const LaneArray& position, const do
          relative_speeds_squared_.data(),
          relative_speed_squared.data()},
         points_);
-  kernels_->potential_wall({wall_a_.data(), wall_force_at_zero_.data(), wall_reach_.data()},
-                           position.data(), points_, force.data(), wall_total_.data(),
-                           wall_largest_.data());
+  if (kind_.elastic_wall) {
+    add_own_terms(position, force);
+  } else {
+    kernels_->potential_wall({wall_a_.data(), wall_force_at_zero_.data(), wall_reach_.data()},
+                             position.data(), points_, force.data(), wall_total_.data(),
+                             wall_largest_.data());
+  }
   return 0.5 * eta_ * relative_speed_squared;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/SparseCore>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -14,9 +14,10 @@ namespace impact {
 
 class LaneDampingSolver;
 
-/// The forces of kLanes runs of one lattice at a potential wall, as ForceField has them for one.
-/// Every run has constants of its own. A bond is evaluated once, in all lanes at a time. The forces
-/// of each run are those of ForceField to the last bit, whatever is in the other lanes.
+/// The forces of kLanes runs of one lattice, as ForceField has them for one, at a potential wall
+/// or, without damping, an elastic one. Every run has constants of its own. A bond is evaluated
+/// once, in all lanes at a time. The forces of each run are those of ForceField to the last bit,
+/// whatever is in the other lanes.
 class LaneField {
  public:
   using Number = LaneNumbers;
@@ -30,9 +31,10 @@ class LaneField {
   struct Kind {
     bool cubic = false;
     bool damped = false;
+    bool elastic_wall = false;
   };
   static Kind kind_of(const ForceField& field) {
-    return {field.bonds.law().k_b != 0.0, field.damped()};
+    return {field.bonds.law().k_b != 0.0, field.damped(), field.elastic_wall.has_value()};
   }
   /// Whether lanes know all terms of the field.
   static bool knows(const ForceField& field);
@@ -40,8 +42,9 @@ class LaneField {
   LaneField(const Lattice& lattice, double mass, Kind kind,
             const Kernels& kernels = impact::kernels());
 
-  /// Puts the constants of a field of this kind, which lanes know, in a lane.
-  void set_lane(int lane, const ForceField& field);
+  /// Puts a field of this kind, which lanes know, in a lane. Its elastic wall goes on there, and
+  /// its supports.
+  void set_lane(int lane, ForceField& field);
   /// In an empty lane nothing acts.
   void clear_lane(int lane);
 
@@ -54,7 +57,7 @@ class LaneField {
   /// There is no boundary.
   static LaneNumbers boundary_power(const LaneArray& /*velocity*/) { return LaneNumbers::Zero(); }
 
-  /// Of the wall on the disk in the last evaluation.
+  /// Of the potential wall on the disk in the last evaluation.
   WallForce wall_force(int lane) const { return {wall_total_(lane), wall_largest_(lane)}; }
 
   /// The field that came last into a lane.
@@ -64,6 +67,7 @@ class LaneField {
   std::uint64_t evaluations = 0;  ///< so far
 
  private:
+  void add_own_terms(const LaneArray& position, LaneArray& force);
   LaneNumbers evaluate(bool damped, const LaneArray& position, const double* velocity,
                        LaneArray& force);
 
@@ -82,7 +86,8 @@ class LaneField {
   LaneNumbers wall_reach_;
   LaneNumbers wall_total_;
   LaneNumbers wall_largest_;
-  std::optional<ForceField> latest_;
+  std::array<ForceField*, kLanes> fields_{};  ///< nullptr: an empty lane
+  std::optional<ForceField> latest_;          ///< with damping
 };
 
 }  // namespace impact

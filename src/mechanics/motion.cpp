@@ -37,6 +37,12 @@ void Motion::count_step(const Losses& lost) {
   state_.time = static_cast<double>(ticks_) * step_size_;
 }
 
+bool Motion::reset_is_due() const {
+  if (!field_.velocity_reset) return false;
+  const double interval = field_.velocity_reset->interval();
+  return ticks_ % static_cast<std::uint64_t>(std::llround(interval / step_size_)) == 0;
+}
+
 double Motion::kinetic_energy() const {
   return 0.5 * field_.point_mass * state().velocity.square().sum();
 }

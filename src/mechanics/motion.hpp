@@ -44,6 +44,8 @@ class Motion {
   /// Halves the step until it is stable. `approach`: speed (c) of wall and disk towards each other.
   void limit_step(const WallContact& wall, double approach, const StepBound& bound);
   void count_step(const Losses& lost);
+  /// Whether the step that was counted last completes an interval of the field's velocity reset.
+  bool reset_is_due() const;
 
   ForceField field_;
   mutable State state_;  ///< while in a lane, with positions and velocities of an earlier step

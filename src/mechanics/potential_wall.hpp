@@ -29,7 +29,7 @@ class PotentialWall : public WallContact {
   std::vector<PointForce> contacts(const PointArray& position, double least_force) const;
 
  private:
-  std::vector<WallForce> parts_;  ///< of the last evaluation, by parts of the points
+  std::vector<WallForce> parts_{WallForce{}};  ///< of the last evaluation, by parts of the points
 };
 
 }  // namespace impact

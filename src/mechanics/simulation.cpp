@@ -20,14 +20,11 @@ void Simulation::step() {
   const Losses lost = integrator_->step(field_, state_, step_size_);
   if (field_.elastic_wall) field_.elastic_wall->count_hops(state_.position);
   count_step(lost);
-  if (field_.velocity_reset) reset_velocities();
+  if (reset_is_due()) reset_velocities();
 }
 
 void Simulation::reset_velocities() {
-  const VelocityReset& reset = *field_.velocity_reset;
-  const auto steps = static_cast<std::uint64_t>(std::llround(reset.interval() / step_size_));
-  if (ticks_ % steps != 0) return;
-  losses_.absorbed += reset.apply(state_.velocity, field_.point_mass);
+  losses_.absorbed += field_.velocity_reset->apply(state_.velocity, field_.point_mass);
   integrator_->take_velocity(field_, state_);
 }
 

@@ -18,7 +18,7 @@ class Supports {
       : held_{std::move(x), std::move(y)} {}
 
   /// Takes away the force on what is held. To be called after all other forces.
-  void apply(PointArray& force) const {
+  void apply(Points force) const {
     for (const int axis : {0, 1}) {
       for (const std::int32_t point : held(axis)) force(point, axis) = 0.0;
     }

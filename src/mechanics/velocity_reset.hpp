@@ -20,7 +20,7 @@ class VelocityReset {
   double interval() const { return interval_; }
 
   /// Returns the kinetic energy that is absorbed (M c²).
-  double apply(PointArray& velocity, double point_mass) const {
+  double apply(Points velocity, double point_mass) const {
     double squared_speed = 0.0;
     for (const std::int32_t point : points_) {
       squared_speed += velocity.row(point).square().sum();

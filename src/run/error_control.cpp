@@ -55,6 +55,17 @@ bool ErrorControl::accepts(const Run& run) {
   }
 }
 
+std::optional<Resolution> ErrorControl::second_resolution() const {
+  if (scene_.kind != SceneKind::kCollision || scene_.numerics.are_given()) return std::nullopt;
+  ErrorControl later = *this;
+  try {
+    later.refine(kLeastRefinement);
+  } catch (const RunFailure&) {
+    return std::nullopt;
+  }
+  return later.resolution_;
+}
+
 void ErrorControl::find_resolution(const std::shared_ptr<const Composition>& composition,
                                    const std::function<bool()>& stop) {
   if (scene_.kind != SceneKind::kCollision || scene_.numerics.are_given()) return;

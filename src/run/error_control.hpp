@@ -38,6 +38,10 @@ class ErrorControl {
   /// How the next run is to be made.
   const Resolution& resolution() const { return resolution_; }
 
+  /// How the run after the first will have to be made, as far as can be foreseen: empty when none
+  /// is sure to be needed.
+  std::optional<Resolution> second_resolution() const;
+
   /// Takes in a finished run made so. True when its answer is good.
   /// @throw RunFailure when the answer cannot be had, with the cause.
   bool accepts(const Run& run);

@@ -17,6 +17,10 @@ struct Resolution {
   double tolerance = 0.0;  ///< of an adaptive integrator
 };
 
+inline bool operator==(const Resolution& a, const Resolution& b) {
+  return a.integrator == b.integrator && a.step == b.step && a.tolerance == b.tolerance;
+}
+
 /// What a resolution is chosen by, besides the scene.
 struct Rates {
   Spectrum lattice;

@@ -103,10 +103,10 @@ std::vector<Quantity> run_quantities() {
 }  // namespace
 
 Experiment::Experiment(const Scene& scene, std::shared_ptr<const Composition> composition,
-                       MakeMotion make_motion, bool keep_history)
+                       MakeRun make_run, bool keep_history)
     : scene_(scene),
       composition_(std::move(composition)),
-      make_motion_(std::move(make_motion)),
+      make_run_(std::move(make_run)),
       control_(scene, *composition_),
       strain_meter_(composition_->bodies->disk.points),
       keep_history_(keep_history) {
@@ -114,12 +114,15 @@ Experiment::Experiment(const Scene& scene, std::shared_ptr<const Composition> co
 }
 
 void Experiment::start_run() {
-  if (make_motion_) {
-    run_.emplace(scene_, composition_, resolution(), make_motion_(*composition_, resolution()));
-  } else {
-    run_.emplace(scene_, composition_, resolution());
-  }
   analysis_ = {};
+  if (make_run_) {
+    run_.emplace(make_run_(control_.resolution()));
+    const State& start = composition_->initial;
+    const Eigen::Index disk = composition_->bodies->disk.points.rows();
+    analysis_.add(State{0.0, 0, start.position.topRows(disk), start.velocity.topRows(disk)});
+    return;
+  }
+  run_.emplace(scene_, composition_, control_.resolution());
   if (keep_history_) history_ = kHistoryHeader;
   take_in();
 }
@@ -144,9 +147,10 @@ void Experiment::observe_step() {
     start_run();
     return;
   }
-  if (!run_->finished()) return;
-  take_in();
-  end_run();
+  while (run_->finished() && !finished_) {
+    take_in();
+    end_run();
+  }
 }
 
 void Experiment::end_run() {

@@ -27,23 +27,23 @@ class Experiment {
              bool keep_history = false)
       : Experiment(scene, std::move(composition), {}, keep_history) {}
 
-  using MakeMotion = std::function<std::unique_ptr<Motion>(const Composition&, const Resolution&)>;
-  /// Of motions that are moved from outside: then observe_step() is called, not advance().
-  Experiment(const Scene& scene, std::shared_ptr<const Composition> composition,
-             MakeMotion make_motion)
-      : Experiment(scene, std::move(composition), std::move(make_motion), false) {}
+  using MakeRun = std::function<Run(const Resolution&)>;
+  /// Of runs that are moved from outside: then observe_step() is called, not advance(). They may
+  /// have gone on before they are asked for.
+  Experiment(const Scene& scene, std::shared_ptr<const Composition> composition, MakeRun make_run)
+      : Experiment(scene, std::move(composition), std::move(make_run), false) {}
 
   /// Goes on as Run::advance() and takes in what the measurements need; at the end of a run that is
   /// not accurate enough, starts the next one.
   /// @throw RunFailure as Run::advance() and ErrorControl::accepts().
   void advance(const std::function<bool()>& stop = {});
-  /// To be called after each step of a motion that is moved from outside. At the end of a run that
-  /// is not accurate enough, makes the motion of the next one, at resolution().
+  /// To be called after each step of a run that is moved from outside. At the end of one that is
+  /// not accurate enough, asks for the next one.
   /// @throw RunFailure as advance().
   void observe_step();
   bool finished() const { return finished_; }
-  /// Of the present run.
-  const Resolution& resolution() const { return control_.resolution(); }
+  /// See ErrorControl; while the first run goes on.
+  std::optional<Resolution> second_resolution() const { return control_.second_resolution(); }
 
   /// Sets out for the next scene of a chain, see is_next_load().
   void go_on_to(const Scene& next);
@@ -74,8 +74,8 @@ class Experiment {
   const std::string& history() const { return history_; }
 
  private:
-  Experiment(const Scene& scene, std::shared_ptr<const Composition> composition,
-             MakeMotion make_motion, bool keep_history);
+  Experiment(const Scene& scene, std::shared_ptr<const Composition> composition, MakeRun make_run,
+             bool keep_history);
 
   void start_run();
   void end_run();
@@ -85,7 +85,7 @@ class Experiment {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Scene scene_;
   std::shared_ptr<const Composition> composition_;
-  MakeMotion make_motion_;  ///< empty: the motions go on by themselves
+  MakeRun make_run_;  ///< empty: the runs go on by themselves
   ErrorControl control_;
   std::optional<Run> run_;
   StrainMeter strain_meter_;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <chrono>
 #include <deque>
+#include <map>
 #include <memory>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -13,24 +15,48 @@
 #include "mechanics/lane_bundle.hpp"
 #include "run/compose.hpp"
 #include "run/energy_monitor.hpp"
-#include "tools/experiment.hpp"
 
 namespace impact {
 namespace {
 
-constexpr int kMostPoints = 30000;  // see README, Speed
+/// With more points the memory is too slow for lanes, as bench_runs measures.
+constexpr Eigen::Index kMostPoints = 20000;
 constexpr int kCheckSteps = 64;
+/// Time of a step of a bundle, in steps of one run, as test/bench/compare_lammps and bench_runs
+/// measure it.
+constexpr double kBundleStep = 5.5;
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+struct Candidate;
+
+/// A run in lanes. It belongs to its candidate, to be there when the experiment asks for it, or
+/// since it did to the experiment.
+struct Ride {
+  Candidate* candidate;
+  Resolution resolution;
+  LaneMotion* motion;
+  std::optional<Run> run;  ///< until the experiment asks for it
+  bool cancelled = false;
+};
 
 /// A scene on its way to its answer.
 struct Candidate {
   std::size_t place;  ///< of the scene
-  LaneMotion* motion = nullptr;
+  std::shared_ptr<const Composition> composition;
+  std::deque<Ride> rides{};
+  Ride* present = nullptr;  ///< of the experiment's run
+  Ride* ahead = nullptr;    ///< of the run that will be asked for next; nullptr: none
   std::unique_ptr<Experiment> experiment{};
   double wall_time = 0.0;  ///< s
   std::string failure{};   ///< why it cannot go on
 };
 
-/// What motions must have in common to be in one bundle.
+/// What motions must have in common to be in one bundle, besides their bodies.
 struct Company {
   IntegratorKind integrator;
   LaneField::Kind kind;
@@ -42,87 +68,155 @@ struct Company {
   bool operator<(const Company& other) const { return keys() < other.keys(); }
 };
 
-Company company_of(const Candidate& candidate) {
-  const IntegratorKind integrator = candidate.experiment->resolution().integrator;
-  const ForceField& field = candidate.motion->field();
+Company company_of(const Ride& ride) {
+  const IntegratorKind integrator = ride.resolution.integrator;
+  const ForceField& field = ride.motion->field();
   const LaneField::Kind kind = LaneField::kind_of(field);
   const bool solves = kind.damped && (integrator == IntegratorKind::kImplicitDamping ||
                                       integrator == IntegratorKind::kExtrapolatedDamping);
-  return {integrator, kind, solves, solves ? candidate.motion->step_size() : 0.0,
+  return {integrator, kind, solves, solves ? ride.motion->step_size() : 0.0,
           solves ? field.bonds.law().eta : 0.0};
+}
+
+/// About how many steps a run of the scene takes.
+double expected_steps(const Composition& composition) {
+  return composition.expected_time / composition.resolution.step;
 }
 
 class SideBySide {
  public:
   SideBySide(const std::vector<Scene>& scenes, const std::function<bool()>& stop,
              const std::function<void()>& done)
-      : scenes_(scenes),
-        stop_(stop),
-        done_(done),
-        outcome_{std::vector<ResultTexts>(scenes.size())} {
+      : scenes_(scenes), stop_(stop), done_(done) {
     const auto damped = std::find_if(scenes.begin(), scenes.end(),
                                      [](const Scene& scene) { return scene.is_damped(); });
     bodies_ = make_bodies(damped != scenes.end() ? *damped : scenes.front());
+    lattice_ = bodies_->wall ? joined(bodies_->disk, bodies_->wall->lattice) : bodies_->disk;
     try {
-      for (std::size_t i = 0; i < scenes.size(); ++i) start(i);
+      for (std::size_t i = 0; i < scenes.size(); ++i) {
+        const auto begin = Clock::now();
+        auto composition = std::make_shared<const Composition>(compose(scenes[i], bodies_));
+        candidates_.push_back({i, std::move(composition)});
+        candidates_.back().wall_time = seconds_since(begin);
+      }
     } catch (const InputError&) {
       outcome_.error = std::current_exception();
-      outcome_.results.resize(candidates_.size());
     }
+    outcome_.results.resize(candidates_.size());
   }
 
   std::optional<Outcome> run() {
-    while (!waiting_.empty()) {
-      const auto most = std::max_element(
-          waiting_.begin(), waiting_.end(),
-          [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
-      if (!advance(most->first)) return std::nullopt;
-    }
+    outcome_.in_lanes = lanes_pay();
+    if (!(outcome_.in_lanes ? run_in_lanes() : run_singly())) return std::nullopt;
     return std::move(outcome_);
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  void start(std::size_t place) {
-    const auto begin = Clock::now();
-    const auto composition = std::make_shared<const Composition>(compose(scenes_[place], bodies_));
-    Candidate& candidate = candidates_.emplace_back(Candidate{place});
-    candidate.experiment = std::make_unique<Experiment>(
-        scenes_[place], composition,
-        [&candidate](const Composition& start, const Resolution& resolution) {
-          auto motion = std::make_unique<LaneMotion>(start.field, start.initial,
-                                                     start.rates.lattice, resolution.step);
-          candidate.motion = motion.get();
-          return motion;
-        });
-    candidate.wall_time += std::chrono::duration<double>(Clock::now() - begin).count();
-    wait(candidate);
+  /// Whether so many lanes will be taken for so long that a bundle is faster than single runs.
+  /// Since the results are the same to the last bit, this changes nothing but the time.
+  bool lanes_pay() const {
+    double all = 0.0;
+    double longest = 0.0;
+    for (const Candidate& candidate : candidates_) {
+      const double steps = expected_steps(*candidate.composition);
+      const double runs = scenes_[candidate.place].numerics.are_given() ? 1.0 : 2.0;
+      all += runs * steps;
+      longest = std::max(longest, steps);
+    }
+    return lattice_.points.rows() <= kMostPoints &&
+           kBundleStep * std::max(longest, all / kLanes) < all;
   }
 
-  void wait(Candidate& candidate) { waiting_[company_of(candidate)].push_back(&candidate); }
+  bool run_singly() {
+    for (Candidate& candidate : candidates_) {
+      const auto begin = Clock::now();
+      try {
+        Experiment& experiment = *(candidate.experiment = std::make_unique<Experiment>(
+                                       scenes_[candidate.place], candidate.composition));
+        while (!experiment.finished()) {
+          if (stop_()) return false;
+          experiment.advance(stop_);
+        }
+      } catch (const RunFailure& failure) {
+        candidate.failure = failure.what();
+      }
+      candidate.wall_time += seconds_since(begin);
+      conclude(candidate);
+    }
+    return true;
+  }
+
+  bool run_in_lanes() {
+    for (Candidate& candidate : candidates_) start(candidate);
+    while (!waiting_.empty()) {
+      const auto most = std::max_element(
+          waiting_.begin(), waiting_.end(),
+          [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
+      if (!advance(most->first)) return false;
+    }
+    return true;
+  }
+
+  /// Sets out for the first run and, as far as it is foreseen, already for the second.
+  void start(Candidate& candidate) {
+    const auto begin = Clock::now();
+    candidate.experiment =
+        std::make_unique<Experiment>(scenes_[candidate.place], candidate.composition,
+                                     [this, &candidate](const Resolution& resolution) {
+                                       return next_run(candidate, resolution);
+                                     });
+    if (const auto second = candidate.experiment->second_resolution()) {
+      candidate.ahead = &new_ride(candidate, *second);
+    }
+    candidate.wall_time += seconds_since(begin);
+  }
+
+  Ride& new_ride(Candidate& candidate, const Resolution& resolution) {
+    const Composition& composition = *candidate.composition;
+    auto motion = std::make_unique<LaneMotion>(composition.field, composition.initial,
+                                               composition.rates.lattice, resolution.step);
+    LaneMotion* const in_lane = motion.get();
+    Run run(scenes_[candidate.place], candidate.composition, resolution, std::move(motion));
+    candidate.rides.push_back({&candidate, resolution, in_lane, std::move(run)});
+    wait(candidate.rides.back());
+    return candidate.rides.back();
+  }
+
+  /// The run that the experiment asks for: the one that went ahead, or else a new one.
+  Run next_run(Candidate& candidate, const Resolution& resolution) {
+    if (candidate.ahead != nullptr && !(candidate.ahead->resolution == resolution)) {
+      cancel(candidate);
+    }
+    candidate.present =
+        candidate.ahead != nullptr ? candidate.ahead : &new_ride(candidate, resolution);
+    candidate.ahead = nullptr;
+    Run run = std::move(*candidate.present->run);
+    candidate.present->run.reset();
+    return run;
+  }
+
+  static void cancel(Candidate& candidate) {
+    if (candidate.ahead != nullptr) candidate.ahead->cancelled = true;
+    candidate.ahead = nullptr;
+  }
+
+  void wait(Ride& ride) { waiting_[company_of(ride)].push_back(&ride); }
 
   /// Until nobody waits for this company any more. False when told to stop.
   bool advance(const Company company) {
     LaneBundle bundle(
-        bodies_->disk, 1.0 / static_cast<double>(bodies_->disk.points.rows()), company.kind,
+        lattice_, 1.0 / static_cast<double>(bodies_->disk.points.rows()), company.kind,
         [&] { return make_fixed<LaneField>(company.integrator); }, company.needs_common_step);
-    std::deque<Candidate*>& queue = waiting_[company];
+    std::deque<Ride*>& queue = waiting_[company];
     since_ = Clock::now();
     for (int step = 1;; ++step) {
-      if (!queue.empty() && !bundle.is_full()) {
-        share_time();
-        for (; !queue.empty() && !bundle.is_full(); queue.pop_front()) {
-          on_board_.push_back(queue.front());
-          bundle.board(*queue.front()->motion);
-        }
-      }
+      if (!queue.empty() && !bundle.is_full()) fill(bundle, queue);
       if (on_board_.empty()) break;
       bundle.step();
       const auto departed = std::partition(on_board_.begin(), on_board_.end(), stays);
       if (departed != on_board_.end()) {
         share_time();
-        std::for_each(departed, on_board_.end(), [&](Candidate* one) { send_on(*one); });
+        std::for_each(departed, on_board_.end(), [&](Ride* ride) { send_on(*ride, bundle); });
         on_board_.erase(departed, on_board_.end());
       }
       if (step % kCheckSteps == 0 && stop_()) return false;
@@ -131,49 +225,86 @@ class SideBySide {
     return true;
   }
 
-  /// Looks at the step that was made. False when the candidate cannot stay in its lane.
-  static bool stays(Candidate* candidate) {
-    const LaneMotion* const motion = candidate->motion;
-    if (!motion->is_on_board()) return false;
-    try {
-      candidate->experiment->observe_step();
-    } catch (const RunFailure& failure) {
-      candidate->failure = failure.what();
-      return false;
+  void fill(LaneBundle& bundle, std::deque<Ride*>& queue) {
+    share_time();
+    for (; !queue.empty() && !bundle.is_full(); queue.pop_front()) {
+      Ride& ride = *queue.front();
+      if (ride.cancelled) {
+        ride.run.reset();
+        continue;
+      }
+      bundle.board(*ride.motion);
+      on_board_.push_back(&ride);
     }
-    return !candidate->experiment->finished() && candidate->motion == motion;
   }
 
-  void send_on(Candidate& candidate) {
-    if (!candidate.failure.empty()) {
-      outcome_.results[candidate.place] = failure(candidate.failure);
-    } else if (candidate.experiment->finished()) {
+  /// Looks at the step that was made. False when the ride ends here or has to change.
+  static bool stays(Ride* ride) {
+    if (ride->cancelled || !ride->motion->is_on_board()) return false;
+    Candidate& candidate = *ride->candidate;
+    try {
+      if (ride->run) {
+        ride->run->observe_step();
+        return !ride->run->finished();
+      }
+      candidate.experiment->observe_step();
+    } catch (const RunFailure& failure) {
+      if (ride->run) {
+        cancel(candidate);  // it will fail again if it is asked for
+      } else {
+        candidate.failure = failure.what();
+      }
+      return false;
+    }
+    return !candidate.experiment->finished() && candidate.present == ride;
+  }
+
+  void send_on(Ride& ride, LaneBundle& bundle) {
+    Candidate& candidate = *ride.candidate;
+    if (ride.cancelled) {
+      ride.run.reset();
+    } else if (ride.run) {
+      if (ride.run->finished()) {
+        bundle.leave(*ride.motion);
+      } else {
+        wait(ride);
+      }
+    } else if (!candidate.failure.empty() || candidate.experiment->finished()) {
+      cancel(candidate);
+      conclude(candidate);
+    } else if (candidate.present == &ride) {
+      wait(ride);
+    }
+  }
+
+  void conclude(Candidate& candidate) {
+    if (candidate.failure.empty()) {
       candidate.experiment->set_wall_time(candidate.wall_time);
       outcome_.results[candidate.place] = texts_of(*candidate.experiment);
     } else {
-      wait(candidate);
-      return;
+      outcome_.results[candidate.place] = failure(candidate.failure);
     }
     candidate.experiment.reset();
+    candidate.composition.reset();
     done_();
   }
 
   void share_time() {
-    const auto now = Clock::now();
-    const double time = std::chrono::duration<double>(now - since_).count();
-    for (Candidate* const candidate : on_board_) {
-      candidate->wall_time += time / static_cast<double>(on_board_.size());
+    const double time = seconds_since(since_);
+    for (Ride* const ride : on_board_) {
+      ride->candidate->wall_time += time / static_cast<double>(on_board_.size());
     }
-    since_ = now;
+    since_ = Clock::now();
   }
 
   const std::vector<Scene>& scenes_;
   const std::function<bool()>& stop_;
   const std::function<void()>& done_;
   std::shared_ptr<const Bodies> bodies_;
+  Lattice lattice_;  ///< of all points
   std::deque<Candidate> candidates_;
-  std::map<Company, std::deque<Candidate*>> waiting_;
-  std::vector<Candidate*> on_board_;
+  std::map<Company, std::deque<Ride*>> waiting_;
+  std::vector<Ride*> on_board_;
   Clock::time_point since_;  ///< time is shared out up to here
   Outcome outcome_;
 };
@@ -192,8 +323,8 @@ ResultTexts texts_of(const Experiment& experiment) {
 }
 
 bool can_be_in_lanes(const Scene& scene) {
-  return scene.kind == SceneKind::kCollision && scene.wall.kind == WallKind::kPotential &&
-         !is_adaptive(scene.numerics.integrator) && scene.disk.recipe.points <= kMostPoints;
+  const bool known = scene.wall.kind == WallKind::kPotential || !scene.is_damped();
+  return scene.kind == SceneKind::kCollision && known && !is_adaptive(scene.numerics.integrator);
 }
 
 std::optional<Outcome> simulate_side_by_side(const std::vector<Scene>& scenes,

@@ -18,16 +18,19 @@ struct Outcome {
   /// The InputError of the first scene that cannot be composed; it and those after it have no
   /// result.
   std::exception_ptr error{};
+  bool in_lanes = false;
 };
 
-/// Whether runs of the scene can advance in lanes: an impact on the potential wall by a method of
-/// fixed step, with so few points that lanes pay.
+/// Whether runs of the scene can advance in lanes: an impact on the potential wall or, without any
+/// damping, on an elastic one, by a method of fixed step.
 bool can_be_in_lanes(const Scene& scene);
 
-/// Simulates scenes of the same bodies, all of which can be in lanes, side by side; where one is
-/// done, the next takes its lane. Each result is that of an Experiment by itself, to the last bit,
-/// except for wall_time: the time of a step is shared out among those that make it.
-/// `done` is told of every scene that is. @return nothing when told to stop, which is asked often.
+/// Simulates scenes of the same bodies, all of which can be in lanes, side by side; where one run
+/// is done, another takes its lane, and the two runs that an answer takes go on at the same time.
+/// Where too few lanes would be taken for too long, one scene after another. Each result is that of
+/// an Experiment by itself, to the last bit, except for wall_time: the time of a step is shared out
+/// among those that make it. `done` is told of every scene that is. @return nothing when told to
+/// stop, which is asked often.
 std::optional<Outcome> simulate_side_by_side(const std::vector<Scene>& scenes,
                                              const std::function<bool()>& stop,
                                              const std::function<void()>& done);

@@ -86,7 +86,7 @@ void force_evaluation_in_lanes(benchmark::State& state) {
   scene.disk.recipe.points = static_cast<int>(state.range(0));
   scene.impact.gap = 0.0;
   if (kDamped) scene.material.eta = 1.0;
-  const Composition start = compose(scene);
+  Composition start = compose(scene);
   LaneField field(start.bodies->disk, start.field.point_mass, LaneField::kind_of(start.field));
   LaneState lanes;
   LaneArray force;

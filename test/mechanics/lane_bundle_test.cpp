@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -246,12 +247,14 @@ TEST_P(EveryLaneKernel, HasTheBitsOfOneRun) {
       throws.front() = throws.back();
       LaneField lanes(disk(), kMass, {k_b != 0.0, eta != 0.0}, kernels);
       LaneState state;
+      std::deque<ForceField> fields;
       LaneArray force;
       for (LaneArray* const array : {&state.position, &state.velocity, &force})
         lanes.resize(*array);
       for (int k = 0; k < kLanes; ++k) {
         const State start = start_of(throws[static_cast<std::size_t>(k)]);
-        lanes.set_lane(k, field_of(throws[static_cast<std::size_t>(k)]));
+        fields.push_back(field_of(throws[static_cast<std::size_t>(k)]));
+        lanes.set_lane(k, fields.back());
         state.position.lane(k) = (1.0 + 0.001 * k) * start.position;
         state.velocity.lane(k) = start.velocity;
       }

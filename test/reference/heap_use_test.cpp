@@ -12,6 +12,7 @@
 #include "mechanics/blanes_moan.hpp"
 #include "mechanics/extrapolated_damping.hpp"
 #include "mechanics/implicit_damping.hpp"
+#include "mechanics/lane_bundle.hpp"
 #include "mechanics/simulation.hpp"
 #include "mechanics/two_bodies.hpp"
 #include "mechanics/velocity_verlet.hpp"
@@ -48,8 +49,11 @@ void* operator new(std::size_t size) {
   if (void* const memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t /*size*/) noexcept { std::free(memory); }
+// Not inline, where GCC 12 takes free() for the wrong partner of operator new().
+__attribute__((noinline)) void operator delete(void* memory) noexcept { std::free(memory); }
+__attribute__((noinline)) void operator delete(void* memory, std::size_t /*size*/) noexcept {
+  std::free(memory);
+}
 
 namespace impact {
 namespace {
@@ -128,6 +132,39 @@ TYPED_TEST(HeapUseOf, StepsIsNone) {
     EXPECT_EQ(allocations_of_steps(on_elastic_wall(0.1), std::make_unique<TypeParam>()), 0U);
     EXPECT_EQ(allocations_of_steps(on_potential_wall(0.1), std::make_unique<TypeParam>()), 0U);
   }
+}
+
+/// The same of a bundle of lanes.
+template <template <class> class I>
+std::uint64_t allocations_in_lanes(TwoBodies bodies) {
+  bodies.field.load.reset();
+  bodies.field.hold.reset();
+  const Spectrum spectrum = lattice_spectrum(bodies.lattice, {1.0, 0.5, 0.1}, TwoBodies::kMass);
+  LaneMotion first(bodies.field, bodies.state, spectrum, kStep);
+  LaneMotion second(bodies.field, bodies.state, spectrum, kStep);
+  EXPECT_TRUE(LaneField::knows(bodies.field));
+  LaneBundle bundle(
+      bodies.lattice, TwoBodies::kMass, LaneField::kind_of(bodies.field),
+      [] { return std::make_unique<I<LaneField>>(); }, true);
+  bundle.board(first);
+  bundle.board(second);
+  for (int k = 0; k < 10; ++k) bundle.step();
+  const std::uint64_t found = allocations_of([&] {
+    for (int k = 0; k < 100; ++k) bundle.step();
+  });
+  EXPECT_EQ(second.steps(), 110U);
+  return found;
+}
+
+TEST(HeapUse, OfStepsInLanesIsNone) {
+  for (const double eta : {0.0, 0.1}) {
+    TwoBodies bodies = on_potential_wall(eta);
+    bodies.field.supports.reset();
+    EXPECT_EQ(allocations_in_lanes<BasicVelocityVerlet>(bodies), 0U);
+    EXPECT_EQ(allocations_in_lanes<BasicImplicitDamping>(bodies), 0U);
+    EXPECT_EQ(allocations_in_lanes<BasicExtrapolatedDamping>(bodies), 0U);
+  }
+  EXPECT_EQ(allocations_in_lanes<BasicBlanesMoan>(on_elastic_wall(0.0)), 0U);
 }
 
 /// Evaluations and, of Bdf, solutions; it does take memory for a new matrix and its factors.
