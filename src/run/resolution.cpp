@@ -76,11 +76,11 @@ double longest_step(const Scene& scene, IntegratorKind integrator, const Rates& 
 double cost_of_step(const Scene& scene, IntegratorKind integrator) {
   switch (integrator) {
     case IntegratorKind::kBlanesMoan:
-      return 10.0;
+      return 10.5;
     case IntegratorKind::kExtrapolatedDamping:
-      return 21.0;
+      return 34.0;
     case IntegratorKind::kImplicitDamping:
-      return 3.0;
+      return 4.3;
     default:
       return scene.is_damped() ? 1.5 : 1.0;
   }

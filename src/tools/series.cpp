@@ -41,11 +41,11 @@ using SharedComposition = std::shared_ptr<const Composition>;
 
 /// One after another, each from the one before. Nothing when it was told to stop. `composition`: of
 /// the first scene; null: not made yet.
-std::optional<Outcome> simulate_chain(const std::vector<Scene>& scenes,
-                                      SharedComposition composition,
-                                      const std::function<bool()>& stop,
-                                      const std::function<void()>& done) {
-  Outcome outcome;
+std::optional<SeriesOutcome> simulate_chain(const std::vector<Scene>& scenes,
+                                            SharedComposition composition,
+                                            const std::function<bool()>& stop,
+                                            const std::function<void()>& done) {
+  SeriesOutcome outcome;
   Experiment experiment(scenes.front(),
                         composition ? std::move(composition) : compose_shared(scenes.front()));
   for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -68,7 +68,7 @@ std::optional<Outcome> simulate_chain(const std::vector<Scene>& scenes,
 struct Task {
   bool in_lanes;
   std::vector<std::size_t> rows;  ///< of the scenes, rising
-  std::future<std::optional<Outcome>> outcome{};
+  std::future<std::optional<SeriesOutcome>> outcome{};
 };
 
 /// Simulates scenes on several threads; what is not done at the end of its life is given up.
@@ -87,8 +87,8 @@ class Workers {
   bool stopped() const { return given_up_ || (stop_ && stop_()); }
   std::size_t done() const { return done_; }
 
-  std::future<std::optional<Outcome>> start(bool in_lanes, std::vector<Scene> scenes,
-                                            SharedComposition composition) {
+  std::future<std::optional<SeriesOutcome>> start(bool in_lanes, std::vector<Scene> scenes,
+                                                  SharedComposition composition) {
     return boost::asio::post(
         pool_, boost::asio::use_future([this, in_lanes, scenes = std::move(scenes),
                                         composition = std::move(composition)]() mutable {
@@ -217,7 +217,7 @@ void simulate_tasks(std::vector<Task> tasks, SharedComposition first, SeriesFile
       show_progress();
       break_off_if_stopped(workers, file);
     } while (task.outcome.wait_for(kPatience) != std::future_status::ready);
-    std::optional<Outcome> outcome = task.outcome.get();
+    std::optional<SeriesOutcome> outcome = task.outcome.get();
     break_off_if_stopped(workers, file);
     if (outcome->error && task.rows[outcome->results.size()] < end) {
       end = task.rows[outcome->results.size()];

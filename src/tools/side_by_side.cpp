@@ -105,7 +105,7 @@ class SideBySide {
     outcome_.results.resize(candidates_.size());
   }
 
-  std::optional<Outcome> run() {
+  std::optional<SeriesOutcome> run() {
     outcome_.in_lanes = lanes_pay();
     if (!(outcome_.in_lanes ? run_in_lanes() : run_singly())) return std::nullopt;
     return std::move(outcome_);
@@ -306,7 +306,7 @@ class SideBySide {
   std::map<Company, std::deque<Ride*>> waiting_;
   std::vector<Ride*> on_board_;
   Clock::time_point since_;  ///< time is shared out up to here
-  Outcome outcome_;
+  SeriesOutcome outcome_;
 };
 
 std::string text(const YAML::Node& value) {
@@ -327,9 +327,9 @@ bool can_be_in_lanes(const Scene& scene) {
   return scene.kind == SceneKind::kCollision && known && !is_adaptive(scene.numerics.integrator);
 }
 
-std::optional<Outcome> simulate_side_by_side(const std::vector<Scene>& scenes,
-                                             const std::function<bool()>& stop,
-                                             const std::function<void()>& done) {
+std::optional<SeriesOutcome> simulate_side_by_side(const std::vector<Scene>& scenes,
+                                                   const std::function<bool()>& stop,
+                                                   const std::function<void()>& done) {
   return SideBySide(scenes, stop, done).run();
 }
 

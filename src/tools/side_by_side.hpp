@@ -12,7 +12,7 @@
 namespace impact {
 
 /// What became of scenes.
-struct Outcome {
+struct SeriesOutcome {
   /// In the order of the scenes. A run that cannot go on has its reason in its flags.
   std::vector<ResultTexts> results{};
   /// The InputError of the first scene that cannot be composed; it and those after it have no
@@ -31,9 +31,9 @@ bool can_be_in_lanes(const Scene& scene);
 /// an Experiment by itself, to the last bit, except for wall_time: the time of a step is shared out
 /// among those that make it. `done` is told of every scene that is. @return nothing when told to
 /// stop, which is asked often.
-std::optional<Outcome> simulate_side_by_side(const std::vector<Scene>& scenes,
-                                             const std::function<bool()>& stop,
-                                             const std::function<void()>& done);
+std::optional<SeriesOutcome> simulate_side_by_side(const std::vector<Scene>& scenes,
+                                                   const std::function<bool()>& stop,
+                                                   const std::function<void()>& done);
 
 /// The result of a finished experiment as text.
 ResultTexts texts_of(const Experiment& experiment);
