@@ -54,7 +54,7 @@ ElasticWall::Gap ElasticWall::gap(const ConstPoints& position, Eigen::Index poin
 }
 
 template <GapMeasure kMeasure>
-void ElasticWall::add(const ConstPoints& position, Points force) {
+void ElasticWall::add(const ConstPoints& position, Points& force) {
   clear();
   const double highest = highest_in_reach(position);
   for (Eigen::Index i = 0; i < disk_points_; ++i) {

@@ -73,7 +73,7 @@ class ElasticWall : public WallContact {
   Gap gap(const ConstPoints& position, Eigen::Index point, std::int32_t bond) const;
   Gap gap(const ConstPoints& position, Eigen::Index point, std::int32_t bond) const;
   template <GapMeasure kMeasure>
-  void add(const ConstPoints& position, Points force);
+  void add(const ConstPoints& position, Points& force);
   template <class Use>
   void for_each_contact(const ConstPoints& position, const Use& use) const;
   /// The bond straight below a place; kNone beside the wall.

@@ -43,7 +43,7 @@ LaneBundle::~LaneBundle() {
 }
 
 void LaneBundle::board(LaneMotion& motion) {
-  const auto free = std::find(motions_.begin(), motions_.end(), nullptr);
+  auto* const free = std::find(motions_.begin(), motions_.end(), nullptr);
   const auto lane = static_cast<int>(free - motions_.begin());
   field_.set_lane(lane, motion.field_);
   state_.position.lane(lane) = motion.state_.position;
@@ -59,7 +59,7 @@ void LaneBundle::board(LaneMotion& motion) {
 }
 
 void LaneBundle::leave(LaneMotion& motion) {
-  motion.state();
+  motion.LaneMotion::state();  // also at the end of its life
   motion.bundle_ = nullptr;
   motions_[static_cast<std::size_t>(motion.lane_)] = nullptr;
   step_size_(motion.lane_) = 0.0;
@@ -110,14 +110,14 @@ void LaneBundle::look_at_speeds() {
   LaneNumbers unused;
   const double* const velocity = state_.velocity.data();
   const Eigen::Index points = state_.velocity.points();
-  const auto any =
+  auto* const any =
       std::find_if(motions_.begin(), motions_.end(), [](auto* m) { return m != nullptr; });
   const Eigen::Index of_wall = (*any)->field_.wall_points;
   const LaneKernels& lanes = kernels().lanes;
   lanes.speeds(velocity, points - of_wall, squared.data(), down.data(), unused.data());
   if (of_wall > 0) {
-    lanes.speeds(velocity + 2 * kLanes * (points - of_wall), of_wall, squared.data(), unused.data(),
-                 up.data());
+    lanes.speeds(velocity + Eigen::Index{2} * kLanes * (points - of_wall), of_wall, squared.data(),
+                 unused.data(), up.data());
   }
   for (LaneMotion* const motion : motions_) {
     if (motion == nullptr) continue;

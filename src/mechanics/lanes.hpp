@@ -21,7 +21,7 @@ class LaneArray {
 
   /// All zero.
   void resize(Eigen::Index points) {
-    numbers_.assign(static_cast<std::size_t>(2 * kLanes * points), 0.0);
+    numbers_.assign(static_cast<std::size_t>(Eigen::Index{2} * kLanes * points), 0.0);
   }
 
   Eigen::Index points() const { return coordinates() / 2; }

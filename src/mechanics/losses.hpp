@@ -4,21 +4,22 @@
 
 namespace impact {
 
-inline void set_zero(double& number) { number = 0.0; }
-inline void set_zero(LaneNumbers& numbers) { numbers.setZero(); }
+template <class Number>
+Number zero();
+template <>
+inline double zero() {
+  return 0.0;
+}
+template <>
+inline LaneNumbers zero() {
+  return LaneNumbers::Zero();
+}
 
 /// What leaves the motion: energy in M c², or power in M c³/R. Of one run or of kLanes runs.
 template <class Number>
 struct BasicLosses {
-  BasicLosses() {
-    set_zero(dissipated);
-    set_zero(absorbed);
-  }
-  BasicLosses(const Number& by_bonds, const Number& at_boundary)
-      : dissipated(by_bonds), absorbed(at_boundary) {}
-
-  Number dissipated;  ///< by the damping of the bonds
-  Number absorbed;    ///< at the boundary of an elastic wall
+  Number dissipated = zero<Number>();  ///< by the damping of the bonds
+  Number absorbed = zero<Number>();    ///< at the boundary of an elastic wall
 };
 
 using Losses = BasicLosses<double>;

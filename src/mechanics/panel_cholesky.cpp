@@ -121,13 +121,15 @@ void PanelCholesky::solve(LaneArray& b) {
   const auto given = b.array();
   auto rows = lane_rows_.array();
   for (std::size_t i = 0; i < place_.size(); ++i) {
-    rows.middleCols<2>(2 * place_[i]) = given.middleCols<2>(2 * static_cast<Eigen::Index>(i));
+    rows.middleCols<2>(Eigen::Index{2} * place_[i]) =
+        given.middleCols<2>(2 * static_cast<Eigen::Index>(i));
   }
   rows.rightCols<2>().setZero();
   kernels_->lanes.substitute(panels(), lane_rows_.data(), lane_scratch_.data());
   auto solution = b.array();
   for (std::size_t i = 0; i < place_.size(); ++i) {
-    solution.middleCols<2>(2 * static_cast<Eigen::Index>(i)) = rows.middleCols<2>(2 * place_[i]);
+    solution.middleCols<2>(2 * static_cast<Eigen::Index>(i)) =
+        rows.middleCols<2>(Eigen::Index{2} * place_[i]);
   }
 }
 

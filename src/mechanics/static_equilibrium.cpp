@@ -127,7 +127,8 @@ void TangentStiffness::set(const ForceField& field, const PointArray& position) 
     if (shifts_freely(field, axis)) entries.emplace_back(axis * points, axis * points, 1.0);
   }
   if (places_.empty()) {
-    matrix_.resize(2 * points, 2 * points);
+    const Eigen::Index coordinates = 2 * position.rows();
+    matrix_.resize(coordinates, coordinates);
     find_places(entries);
   }
   matrix_.coeffs() = 0.0;

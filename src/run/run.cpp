@@ -34,7 +34,7 @@ bool hops_matter(const Scene& scene, const Motion& motion) {
 
 }  // namespace
 
-Run::Run(const Scene& scene, std::shared_ptr<const Composition> composition,
+Run::Run(const Scene& scene, const std::shared_ptr<const Composition>& composition,
          const Resolution& resolution)
     : Run(scene, composition, resolution,
           std::make_unique<Simulation>(

@@ -26,7 +26,7 @@ class Run {
   /// At the first resolution of the composition.
   Run(const Scene& scene, const std::shared_ptr<const Composition>& composition)
       : Run(scene, composition, composition->resolution) {}
-  Run(const Scene& scene, std::shared_ptr<const Composition> composition,
+  Run(const Scene& scene, const std::shared_ptr<const Composition>& composition,
       const Resolution& resolution);
   /// Of a motion, made by the same resolution, that is moved from outside: then observe_step() is
   /// called, not advance().
