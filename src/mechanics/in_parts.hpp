@@ -23,13 +23,16 @@ void in_parts(Eigen::Index points, const Work& work) {
     const Eigen::Index first = part * kPart;
     work(part, first, std::min<Eigen::Index>(kPart, points - first));
   };
-  if (parts < kFewestParts) {
+  const int threads = parts < kFewestParts ? 1 : threads_in_a_run();
+  if (threads == 1) {
     for (Eigen::Index part = 0; part < parts; ++part) do_part(part);
-    return;
-  }
-  const int threads = threads_in_a_run();
+  } else if (threads == 0) {
+#pragma omp parallel for schedule(static)
+    for (Eigen::Index part = 0; part < parts; ++part) do_part(part);
+  } else {
 #pragma omp parallel for schedule(static) num_threads(threads)
-  for (Eigen::Index part = 0; part < parts; ++part) do_part(part);
+    for (Eigen::Index part = 0; part < parts; ++part) do_part(part);
+  }
 }
 
 }  // namespace impact

@@ -1,14 +1,12 @@
 #pragma once
 
-#include <algorithm>
-#include <thread>
-
 namespace impact {
 
 /// On how many threads the loops over the points of one run are shared out, in runs that the
-/// calling thread makes. All processors, unless it says otherwise.
+/// calling thread makes. 0: on as many as OpenMP has, all processors that the program may use or
+/// OMP_NUM_THREADS.
 inline int& threads_in_a_run() {
-  thread_local int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  thread_local int threads = 0;
   return threads;
 }
 
