@@ -11,8 +11,10 @@ namespace impact {
 std::vector<Row> simulate(const Reproduction& reproduction, const std::string& name,
                           const std::vector<Scene>& scenes) {
   ProgressBar bar(scenes.size());
-  return run_series(scenes, reproduction.folder / (name + "_runs.csv"),
-                    {reproduction.jobs, [&bar](std::size_t done) { bar.show(done); }, interrupted});
+  return run_series(
+      scenes, reproduction.folder / (name + "_runs.csv"),
+      {reproduction.jobs, [&bar](std::size_t /*rows*/, std::size_t runs) { bar.show(runs); },
+       interrupted});
 }
 
 void break_off_if_interrupted() {

@@ -201,7 +201,8 @@ void simulate_tasks(std::vector<Task> tasks, SharedComposition first, SeriesFile
   const std::size_t known = file.rows().size();
   Workers workers(options.jobs, options.stop);
   const auto show_progress = [&] {
-    if (options.progress) options.progress(std::min(known + workers.done(), file.scenes().size()));
+    if (!options.progress) return;
+    options.progress(file.rows().size(), std::min(known + workers.done(), file.scenes().size()));
   };
   for (Task& task : tasks) {
     std::vector<Scene> scenes;

@@ -11,8 +11,9 @@ namespace impact {
 
 struct SeriesOptions {
   int jobs = 1;  ///< threads
-  /// Told at the start, after every run and at least five times a second how many rows there are.
-  std::function<void(std::size_t rows)> progress{};
+  /// Told at the start, after every row and at least five times a second how many rows there are,
+  /// and how many runs are done.
+  std::function<void(std::size_t rows, std::size_t runs)> progress{};
   /// True, for good, once the series is to be broken off. Asked often, and from all threads.
   std::function<bool()> stop{};
 };

@@ -205,8 +205,9 @@ void check_stability(const std::string& output, double largest, int jobs) {
   std::vector<Row> rows;
   {
     ProgressBar bar(scenes.size());
-    rows = run_series(scenes, folder / "stability_runs.csv",
-                      {jobs, [&bar](std::size_t done) { bar.show(done); }, interrupted});
+    rows = run_series(
+        scenes, folder / "stability_runs.csv",
+        {jobs, [&bar](std::size_t /*rows*/, std::size_t runs) { bar.show(runs); }, interrupted});
   }
   write_table(cases, rows, folder / "stability.csv");
   print(cases, rows);

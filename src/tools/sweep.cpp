@@ -24,8 +24,9 @@ void sweep(const std::string& scene_file, const std::vector<std::string>& assign
   std::vector<Row> rows;
   {
     ProgressBar bar(scenes.size());
-    rows = run_series(scenes, output,
-                      {jobs, [&bar](std::size_t done) { bar.show(done); }, interrupted});
+    rows = run_series(
+        scenes, output,
+        {jobs, [&bar](std::size_t /*rows*/, std::size_t runs) { bar.show(runs); }, interrupted});
   }
   fmt::print("{}", summary(rows));
   const auto failed = std::count_if(rows.begin(), rows.end(), has_failed);

@@ -283,7 +283,7 @@ TEST_F(RunSeries, StopsAtTheFirstSceneThatCannotBeComposed) {
 TEST_F(RunSeries, BreaksOffBetweenRows) {
   SeriesOptions options;
   std::atomic<bool> stop{false};
-  options.progress = [&](std::size_t done) { stop = done == 3; };
+  options.progress = [&](std::size_t rows, std::size_t /*runs*/) { stop = rows == 3; };
   options.stop = [&stop] { return stop.load(); };
   EXPECT_THROW(run_series(small_scenes(), path_, options), std::runtime_error);
   const std::string csv = content(path_);
