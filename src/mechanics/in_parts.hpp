@@ -14,7 +14,7 @@ constexpr Eigen::Index kFewestParts = 64;
 inline Eigen::Index parts_of(Eigen::Index points) { return (points + kPart - 1) / kPart; }
 
 /// Calls work(part, first, size) for each part of the points, kPart of them or what is left, on
-/// several threads if there is more than one part. What is summed up by parts is the same for any
+/// several threads from kFewestParts parts on. What is summed up by parts is the same for any
 /// number of threads.
 template <class Work>
 void in_parts(Eigen::Index points, const Work& work) {
