@@ -84,6 +84,11 @@ std::vector<Eigen::Triplet<double>> ForceField::stiffness(const PointArray& posi
   return entries;
 }
 
+bool ForceField::shifts_freely(int axis) const {
+  const bool supported = supports && !supports->held(axis).empty();
+  return !supported && (axis == 0 || !wall);
+}
+
 double ForceField::potential_energy(const PointArray& position) const {
   double energy = bonds.potential_energy(position) + wall_potential_energy(position);
   if (load) energy += load->potential_energy(position);

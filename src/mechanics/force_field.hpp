@@ -69,6 +69,10 @@ struct ForceField {
   /// Whether forces depend on velocities.
   bool damped() const { return bonds.damped() || viscous_boundary; }
 
+  /// Whether a rigid shift along this axis (0: x, 1: y) costs no energy, so that forces are the same
+  /// after it.
+  bool shifts_freely(int axis) const;
+
   void resize(PointArray& all_points) const { all_points.resize(bonds.points(), 2); }
 
   /// The power that a viscous boundary would absorb at these velocities (M c³/R).

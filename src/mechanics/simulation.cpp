@@ -28,28 +28,6 @@ void Simulation::reset_velocities() {
   integrator_->take_velocity(field_, state_);
 }
 
-bool Simulation::settle(double tolerance) {
-  const EquilibriumSearch search = solver_->find(field_, state_.position, tolerance);
-  state_.velocity.setZero();
-  ticks_ += static_cast<std::uint64_t>(search.iterations);
-  state_.step += static_cast<std::uint64_t>(search.iterations);
-  state_.time = static_cast<double>(ticks_) * step_size_;
-  return search.found;
-}
-
-PointArray Simulation::equilibrium_correction() const {
-  return solver_->correction(field_, state_.position);
-}
-
-void Simulation::reload(double p) {
-  const WallContact& wall = *field_.wall;
-  state_.position.col(1) += wall.gap_of_force(p) - wall.gap_of_force(field_.load->p());
-  field_.load.emplace(p);
-  ticks_ = 0;
-  state_.step = 0;
-  state_.time = 0.0;
-}
-
 double Simulation::approach_speed() const {
   const auto upwards = state_.velocity.col(1);
   const Eigen::Index of_wall = field_.wall_points;

@@ -132,7 +132,7 @@ bool ErrorControl::accepts_contact(const Run& run) {
   const StrainMeter meter(run.lattice().points);
   const PointArray position = run.disk_state().position;
   const double strain = meter.measure(position).strain();
-  const double corrected = meter.measure(position + run.equilibrium_correction()).strain();
+  const double corrected = meter.measure(position + run.correction()).strain();
   estimated_error_ = std::abs(corrected - strain) / std::abs(corrected);
   if (scene_.numerics.are_given()) return true;
   if (run.has_flag("not_at_rest")) give_up("no state of rest was found");

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "mechanics/equilibrium_solver.hpp"
+
 namespace impact {
 namespace {
 
@@ -32,16 +34,19 @@ bool hops_matter(const Scene& scene, const Motion& motion) {
          motion.field().elastic_wall->hops_size() > kManyHops * impact_energy;
 }
 
+std::unique_ptr<Motion> make_motion(const Scene& scene, const Composition& composition,
+                                    const Resolution& resolution) {
+  if (scene.is_static()) return make_search(scene, composition);
+  return std::make_unique<Simulation>(
+      composition.field, composition.initial, composition.rates.lattice, resolution.step,
+      make_integrator(scene, resolution, composition.rates.sound_speed));
+}
+
 }  // namespace
 
 Run::Run(const Scene& scene, const std::shared_ptr<const Composition>& composition,
          const Resolution& resolution)
-    : Run(scene, composition, resolution,
-          std::make_unique<Simulation>(
-              composition->field, composition->initial, composition->rates.lattice, resolution.step,
-              make_integrator(scene, resolution, composition->rates.sound_speed))) {
-  simulation_ = dynamic_cast<Simulation*>(motion_.get());
-}
+    : Run(scene, composition, resolution, make_motion(scene, *composition, resolution)) {}
 
 Run::Run(const Scene& scene, std::shared_ptr<const Composition> composition,
          const Resolution& resolution, std::unique_ptr<Motion> motion)
@@ -49,6 +54,8 @@ Run::Run(const Scene& scene, std::shared_ptr<const Composition> composition,
       composition_(std::move(composition)),
       end_(end_of_run(scene, *composition_, resolution.step)),
       motion_(std::move(motion)),
+      simulation_(dynamic_cast<Simulation*>(motion_.get())),
+      search_(dynamic_cast<EquilibriumSearch*>(motion_.get())),
       monitor_(motion_->ledger()),
       recorder_(*motion_, contact_force(scene)),
       integrator_(resolution.integrator) {
@@ -61,8 +68,12 @@ Run::Run(const Scene& scene, std::shared_ptr<const Composition> composition,
 }
 
 void Run::advance(const std::function<bool()>& stop) {
-  if (scene_.is_static()) {
-    settle();
+  if (search_ != nullptr) {
+    EquilibriumSolver solver;
+    while (!finished_ && !(stop && stop())) {
+      solver.advance({search_});
+      observe_step();
+    }
     return;
   }
   constexpr double kRounding = 1e-6;  // of a period
@@ -92,27 +103,25 @@ State Run::wall_state() const {
           state().velocity.bottomRows(points)};
 }
 
-void Run::settle() {
-  if (!simulation_->settle(
-          negligible_static_force(scene_, state().position.rows(), motion_->step_size()))) {
-    flags_.emplace_back(end_->flag_if_given_up());
-  }
+PointArray Run::correction() const {
+  return search_ != nullptr ? search_->correction()
+                            : equilibrium_correction(motion_->field(), motion_->state());
+}
+
+void Run::observe_search() {
+  if (!search_->finished()) return;
+  if (!search_->found()) flags_.emplace_back(end_->flag_if_given_up());
   note_folds();
   if (folded_) flags_.emplace_back("folded");
   recorder_.add_step(*motion_);
   finished_ = true;
 }
 
-void Run::reload(double p) {
-  simulation_->reload(p);
-  scene_.load.p = p;
-  recorder_ = ContactRecorder(*motion_, contact_force(scene_));
-  flags_.clear();
-  folded_ = false;
-  finished_ = false;
-}
-
 void Run::observe_step() {
+  if (search_ != nullptr) {
+    observe_search();
+    return;
+  }
   recorder_.add_step(*motion_);
   if (motion_->halvings() > kMostHalvings) {
     throw RunFailure("the wall grew too stiff: the step was halved more than 20 times");
@@ -153,6 +162,13 @@ void Run::finish() {
   if (folded_) flags_.emplace_back("folded");
   if (hops_matter(scene_, *motion_)) flags_.emplace_back("hops");
   if (motion_->halvings() > 0) flags_.emplace_back("step_reduced");
+}
+
+std::unique_ptr<EquilibriumSearch> make_search(const Scene& scene, const Composition& composition) {
+  const Eigen::Index points = composition.initial.position.rows();
+  return std::make_unique<EquilibriumSearch>(
+      composition.field, composition.initial,
+      negligible_static_force(scene, points, composition.resolution.step));
 }
 
 }  // namespace impact

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mechanics/equilibrium_search.hpp"
 #include "mechanics/simulation.hpp"
 #include "run/compose.hpp"
 #include "run/contact_recorder.hpp"
@@ -28,15 +29,15 @@ class Run {
       : Run(scene, composition, composition->resolution) {}
   Run(const Scene& scene, const std::shared_ptr<const Composition>& composition,
       const Resolution& resolution);
-  /// Of a motion, made by the same resolution, that is moved from outside: then observe_step() is
-  /// called, not advance().
+  /// Of a motion, made by the same resolution, or a search for equilibrium that is moved from
+  /// outside: then observe_step() is called, not advance().
   Run(const Scene& scene, std::shared_ptr<const Composition> composition,
       const Resolution& resolution, std::unique_ptr<Motion> motion);
 
   /// Goes on to the first step at or after the next output time, or to the end if that comes first,
   /// or to where `stop`, asked every 64 steps, says true. The output times do not touch the motion.
   /// Where the answer is static there is no motion: the first call goes to the static solution,
-  /// which is the end.
+  /// which is the end, or to where `stop`, asked at each of its steps, says true.
   /// @throw RunFailure when the energy balance breaks.
   void advance(const std::function<bool()>& stop = {});
 
@@ -44,12 +45,8 @@ class Run {
   /// @throw RunFailure as advance().
   void observe_step();
 
-  /// Sets out for the static solution under another load, from the present one. The scene must be a
-  /// contact that is solved without motion.
-  void reload(double p);
-
-  /// See Simulation::equilibrium_correction().
-  PointArray equilibrium_correction() const { return simulation_->equilibrium_correction(); }
+  /// At the end of a contact, see EquilibriumSearch::correction().
+  PointArray correction() const;
 
   bool finished() const { return finished_; }
   const Lattice& lattice() const { return composition_->bodies->disk; }
@@ -87,7 +84,7 @@ class Run {
   double restitution_bound() const { return restitution_bound_; }
 
  private:
-  void settle();
+  void observe_search();
   void look();
   void note_folds();
   void finish();
@@ -96,7 +93,8 @@ class Run {
   std::shared_ptr<const Composition> composition_;
   std::unique_ptr<EndOfRun> end_;
   std::unique_ptr<Motion> motion_;
-  Simulation* simulation_ = nullptr;  ///< the motion, where it goes on by itself
+  Simulation* simulation_ = nullptr;     ///< the motion, if it goes on by itself
+  EquilibriumSearch* search_ = nullptr;  ///< the motion, if it is none
   EnergyMonitor monitor_;
   ContactRecorder recorder_;
   double restitution_bound_ = 0.0;
@@ -105,5 +103,8 @@ class Run {
   bool finished_ = false;
   bool folded_ = false;
 };
+
+/// The search for the static solution of a scene that is solved without motion.
+std::unique_ptr<EquilibriumSearch> make_search(const Scene& scene, const Composition& composition);
 
 }  // namespace impact

@@ -158,14 +158,6 @@ void Experiment::end_run() {
   if (!finished_) start_run();
 }
 
-void Experiment::go_on_to(const Scene& next) {
-  start_ = std::chrono::steady_clock::now();
-  scene_ = next;
-  control_ = ErrorControl(next, *composition_);
-  run_->reload(next.load.p);
-  finished_ = false;
-}
-
 void Experiment::take_in() {
   const ContactReport report = run_->take_contact_reports().on_disk;
   analysis_.add(run_->disk_state());
@@ -202,13 +194,6 @@ BondLaw Experiment::law() const { return {scene_.material.k_a, scene_.material.k
 double Experiment::wall_time() const {
   if (given_wall_time_) return *given_wall_time_;
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-}
-
-bool is_next_load(const Scene& first, const Scene& second) {
-  if (first.kind != SceneKind::kContact || !first.is_static()) return false;
-  Scene reloaded = first;
-  reloaded.load.p = second.load.p;
-  return to_yaml(reloaded) == to_yaml(second);
 }
 
 YAML::Node Experiment::result() const {

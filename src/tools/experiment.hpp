@@ -45,9 +45,6 @@ class Experiment {
   /// See ErrorControl; while the first run goes on.
   std::optional<Resolution> second_resolution() const { return control_.second_resolution(); }
 
-  /// Sets out for the next scene of a chain, see is_next_load().
-  void go_on_to(const Scene& next);
-
   /// The values of quantities(), in their order.
   YAML::Node result() const;
 
@@ -101,10 +98,6 @@ struct Quantity {
   std::string key;
   std::function<YAML::Node(const Experiment&)> value;
 };
-
-/// Whether both scenes are static solutions of one contact and differ at most in the load, so that
-/// the second can be found from the first.
-bool is_next_load(const Scene& first, const Scene& second);
 
 /// Everything that the result of such a scene holds, in the order in which it is shown.
 std::vector<Quantity> quantities(const Scene& scene);

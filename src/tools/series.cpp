@@ -28,45 +28,30 @@ namespace {
 
 constexpr std::chrono::milliseconds kPatience{100};
 
-/// From the last answer or, where there is none or it has flags (folded), from the beginning.
-void go_on(Experiment& experiment, const Scene& next) {
-  if (experiment.finished() && experiment.run().flags().empty()) {
-    experiment.go_on_to(next);
-  } else {
-    experiment = Experiment(next);
-  }
-}
+using SharedBodies = std::shared_ptr<const Bodies>;
 
-using SharedComposition = std::shared_ptr<const Composition>;
-
-/// One after another, each from the one before. Nothing when it was told to stop. `composition`: of
-/// the first scene; null: not made yet.
-std::optional<SeriesOutcome> simulate_chain(const std::vector<Scene>& scenes,
-                                            SharedComposition composition,
-                                            const std::function<bool()>& stop,
-                                            const std::function<void()>& done) {
+/// Nothing when it was told to stop.
+std::optional<SeriesOutcome> simulate(const Scene& scene, SharedBodies bodies,
+                                      const std::function<bool()>& stop,
+                                      const std::function<void()>& done) {
+  Experiment experiment(scene,
+                        std::make_shared<const Composition>(compose(scene, std::move(bodies))));
   SeriesOutcome outcome;
-  Experiment experiment(scenes.front(),
-                        composition ? std::move(composition) : compose_shared(scenes.front()));
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    if (i > 0) go_on(experiment, scenes[i]);
-    try {
-      while (!experiment.finished()) {
-        if (stop()) return std::nullopt;
-        experiment.advance(stop);
-      }
-      outcome.results.push_back(texts_of(experiment));
-    } catch (const RunFailure& error) {
-      outcome.results.push_back(failure(error.what()));
+  try {
+    while (!experiment.finished()) {
+      if (stop()) return std::nullopt;
+      experiment.advance(stop);
     }
-    done();
+    outcome.results.push_back(texts_of(experiment));
+  } catch (const RunFailure& error) {
+    outcome.results.push_back(failure(error.what()));
   }
+  done();
   return outcome;
 }
 
-/// Scenes that one thread simulates.
+/// Scenes that one thread simulates: one, or some of the same bodies that can be in lanes.
 struct Task {
-  bool in_lanes;
   std::vector<std::size_t> rows;  ///< of the scenes, rising
   std::future<std::optional<SeriesOutcome>> outcome{};
 };
@@ -87,17 +72,19 @@ class Workers {
   bool stopped() const { return given_up_ || (stop_ && stop_()); }
   std::size_t done() const { return done_; }
 
-  std::future<std::optional<SeriesOutcome>> start(bool in_lanes, std::vector<Scene> scenes,
-                                                  SharedComposition composition) {
+  /// `bodies`: of the scenes; nullptr: not made yet.
+  std::future<std::optional<SeriesOutcome>> start(std::vector<Scene> scenes, SharedBodies bodies) {
     return boost::asio::post(
-        pool_, boost::asio::use_future([this, in_lanes, scenes = std::move(scenes),
-                                        composition = std::move(composition)]() mutable {
-          threads_in_a_run() = 1;
-          const std::function<bool()> stop = [this] { return stopped(); };
-          const std::function<void()> done = [this] { ++done_; };
-          return in_lanes ? simulate_side_by_side(scenes, stop, done)
-                          : simulate_chain(scenes, std::move(composition), stop, done);
-        }));
+        pool_, boost::asio::use_future(
+                   [this, scenes = std::move(scenes), bodies = std::move(bodies)]() mutable {
+                     threads_in_a_run() = 1;
+                     const std::function<bool()> stop = [this] { return stopped(); };
+                     const std::function<void()> done = [this] { ++done_; };
+                     if (!bodies) bodies = make_common_bodies(scenes);
+                     return scenes.size() == 1
+                                ? simulate(scenes.front(), std::move(bodies), stop, done)
+                                : simulate_side_by_side(scenes, std::move(bodies), stop, done);
+                   }));
   }
 
  private:
@@ -114,12 +101,17 @@ void break_off_if_stopped(const Workers& workers, const SeriesFile& file) {
                   file.rows().size(), file.scenes().size()));
 }
 
-/// The scenes that go into lanes: those whose bodies so many have that lanes pay. By their bodies.
-std::map<std::string, std::vector<std::size_t>> sharing_bodies(const std::vector<Scene>& scenes) {
+/// Equal for scenes that can be simulated side by side if they can be in lanes at all.
+std::string key_of_company(const Scene& scene) {
+  return (scene.is_static() ? "static " : "") + key_of_bodies(scene);
+}
+
+/// The scenes that go into lanes: those in so large a company that lanes pay. By their company.
+std::map<std::string, std::vector<std::size_t>> companies(const std::vector<Scene>& scenes) {
   constexpr std::size_t kFewest = 3;
   std::map<std::string, std::vector<std::size_t>> groups;
   for (std::size_t row = 0; row < scenes.size(); ++row) {
-    if (can_be_in_lanes(scenes[row])) groups[key_of_bodies(scenes[row])].push_back(row);
+    if (can_be_in_lanes(scenes[row])) groups[key_of_company(scenes[row])].push_back(row);
   }
   for (auto group = groups.begin(); group != groups.end();) {
     group = group->second.size() < kFewest ? groups.erase(group) : std::next(group);
@@ -138,37 +130,29 @@ std::size_t most_in_task(const Scene& scene, std::size_t scenes, int jobs) {
   return std::max<std::size_t>(kLanes, std::min({kMost, by_points, share}));
 }
 
-/// The tasks of which rows are missing, in the order of their first rows. A chain of which some
-/// rows are there is simulated from its beginning again, so that the others do not depend on an
-/// interruption.
+/// The tasks for the rows that are missing, in the order of their first rows.
 std::vector<Task> missing_tasks(const SeriesFile& file, int jobs) {
   const std::vector<Scene>& scenes = file.scenes();
   const std::size_t known = file.rows().size();
   std::vector<Task> tasks;
   std::vector<bool> taken(scenes.size(), false);
-  const auto groups = sharing_bodies(scenes);
+  const auto groups = companies(scenes);
   const std::size_t in_lanes =
       std::accumulate(groups.begin(), groups.end(), std::size_t{0},
                       [](std::size_t sum, const auto& group) { return sum + group.second.size(); });
   for (const auto& [key, rows] : groups) {
     const std::size_t most = most_in_task(scenes[rows.front()], in_lanes, jobs);
+    bool begins = true;
     for (const std::size_t row : rows) {
       taken[row] = true;
       if (row < known) continue;
-      if (tasks.empty() || !tasks.back().in_lanes || tasks.back().rows.size() == most ||
-          key_of_bodies(scenes[tasks.back().rows.front()]) != key) {
-        tasks.push_back({true, {}});
-      }
+      if (begins || tasks.back().rows.size() == most) tasks.emplace_back();
       tasks.back().rows.push_back(row);
+      begins = false;
     }
   }
-  for (std::size_t row = 0; row < scenes.size(); ++row) {
-    if (taken[row]) continue;
-    Task chain{false, {row}};
-    while (row + 1 < scenes.size() && is_next_load(scenes[row], scenes[row + 1])) {
-      chain.rows.push_back(++row);
-    }
-    if (chain.rows.back() >= known) tasks.push_back(std::move(chain));
+  for (std::size_t row = known; row < scenes.size(); ++row) {
+    if (!taken[row]) tasks.push_back({{row}});
   }
   std::sort(tasks.begin(), tasks.end(),
             [](const Task& a, const Task& b) { return a.rows.front() < b.rows.front(); });
@@ -195,8 +179,14 @@ class InOrder {
   std::map<std::size_t, ResultTexts> waiting_;
 };
 
-/// `first`: the composition of the first scene of the first task.
-void simulate_tasks(std::vector<Task> tasks, SharedComposition first, SeriesFile& file,
+std::vector<Scene> scenes_of(const Task& task, const SeriesFile& file) {
+  std::vector<Scene> scenes;
+  for (const std::size_t row : task.rows) scenes.push_back(file.scenes()[row]);
+  return scenes;
+}
+
+/// `first`: the bodies of the first task.
+void simulate_tasks(std::vector<Task> tasks, SharedBodies first, SeriesFile& file,
                     const SeriesOptions& options) {
   const std::size_t known = file.rows().size();
   Workers workers(options.jobs, options.stop);
@@ -205,9 +195,7 @@ void simulate_tasks(std::vector<Task> tasks, SharedComposition first, SeriesFile
     options.progress(file.rows().size(), std::min(known + workers.done(), file.scenes().size()));
   };
   for (Task& task : tasks) {
-    std::vector<Scene> scenes;
-    for (const std::size_t row : task.rows) scenes.push_back(file.scenes()[row]);
-    task.outcome = workers.start(task.in_lanes, std::move(scenes), std::exchange(first, nullptr));
+    task.outcome = workers.start(scenes_of(task, file), std::exchange(first, nullptr));
   }
   InOrder rows(file);
   std::size_t end = file.scenes().size();
@@ -237,7 +225,9 @@ std::vector<Row> run_series(const std::vector<Scene>& scenes, const std::filesys
   SeriesFile rows(file, scenes);
   std::vector<Task> tasks = missing_tasks(rows, options.jobs);
   if (!tasks.empty()) {
-    SharedComposition first = compose_shared(scenes[tasks.front().rows.front()]);
+    const std::vector<Scene> first_scenes = scenes_of(tasks.front(), rows);
+    SharedBodies first = make_common_bodies(first_scenes);
+    compose(first_scenes.front(), first);  // before a file is written
     rows.open();
     simulate_tasks(std::move(tasks), std::move(first), rows, options);
   }

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <deque>
 #include <map>
@@ -12,6 +13,7 @@
 #include <utility>
 
 #include "lattice/input_error.hpp"
+#include "mechanics/equilibrium_solver.hpp"
 #include "mechanics/lane_bundle.hpp"
 #include "run/compose.hpp"
 #include "run/energy_monitor.hpp"
@@ -21,6 +23,8 @@ namespace {
 
 /// With more points the memory is too slow for lanes, as bench_runs measures.
 constexpr Eigen::Index kMostPoints = 20000;
+/// A step of as many searches for equilibrium in lanes takes as long as one of so many single ones.
+constexpr std::size_t kFewestSearches = 3;
 constexpr int kCheckSteps = 64;
 /// Time of a step of a bundle, in steps of one run, as test/bench/compare_lammps and bench_runs
 /// measure it.
@@ -44,10 +48,11 @@ struct Ride {
   bool cancelled = false;
 };
 
-/// A scene on its way to its answer.
+/// A scene on its way to its answer, by rides or, if it is static, by a search.
 struct Candidate {
   std::size_t place;  ///< of the scene
   std::shared_ptr<const Composition> composition;
+  EquilibriumSearch* search = nullptr;
   std::deque<Ride> rides{};
   Ride* present = nullptr;  ///< of the experiment's run
   Ride* ahead = nullptr;    ///< of the run that will be asked for next; nullptr: none
@@ -85,12 +90,9 @@ double expected_steps(const Composition& composition) {
 
 class SideBySide {
  public:
-  SideBySide(const std::vector<Scene>& scenes, const std::function<bool()>& stop,
-             const std::function<void()>& done)
-      : scenes_(scenes), stop_(stop), done_(done) {
-    const auto damped = std::find_if(scenes.begin(), scenes.end(),
-                                     [](const Scene& scene) { return scene.is_damped(); });
-    bodies_ = make_bodies(damped != scenes.end() ? *damped : scenes.front());
+  SideBySide(const std::vector<Scene>& scenes, std::shared_ptr<const Bodies> bodies,
+             const std::function<bool()>& stop, const std::function<void()>& done)
+      : scenes_(scenes), stop_(stop), done_(done), bodies_(std::move(bodies)) {
     lattice_ = bodies_->wall ? joined(bodies_->disk, bodies_->wall->lattice) : bodies_->disk;
     try {
       for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -106,12 +108,78 @@ class SideBySide {
   }
 
   std::optional<SeriesOutcome> run() {
-    outcome_.in_lanes = lanes_pay();
-    if (!(outcome_.in_lanes ? run_in_lanes() : run_singly())) return std::nullopt;
+    if (!(scenes_.front().is_static() ? solve() : move())) return std::nullopt;
     return std::move(outcome_);
   }
 
  private:
+  /// Goes to the states at rest. False when told to stop.
+  bool solve() {
+    outcome_.in_lanes = lattice_.points.rows() <= kMostPoints && candidates_.size() >= kFewestSearches;
+    return outcome_.in_lanes ? solve_by<LaneEquilibriumSolver>() : solve_by<EquilibriumSolver>();
+  }
+
+  template <class Solver>
+  bool solve_by() {
+    Solver solver;
+    typename Solver::Searches searches{};
+    std::array<Candidate*, Solver::kSearches> on_board{};
+    auto next = candidates_.begin();
+    for (;;) {
+      since_ = Clock::now();
+      for (std::size_t lane = 0; lane < searches.size() && next != candidates_.end(); ++lane) {
+        if (on_board[lane] != nullptr) continue;
+        on_board[lane] = &*next++;
+        searches[lane] = start_search(*on_board[lane]);
+      }
+      const auto taken = searches.size() - static_cast<std::size_t>(std::count(
+                                               on_board.begin(), on_board.end(), nullptr));
+      if (taken == 0) return true;
+      solver.advance(searches);
+      const double time = seconds_since(since_) / static_cast<double>(taken);
+      for (std::size_t lane = 0; lane < searches.size(); ++lane) {
+        if (on_board[lane] == nullptr) continue;
+        on_board[lane]->wall_time += time;
+        if (observe_search(*on_board[lane])) continue;
+        on_board[lane] = nullptr;
+        searches[lane] = nullptr;
+      }
+      if (stop_()) return false;
+    }
+  }
+
+  EquilibriumSearch* start_search(Candidate& candidate) {
+    candidate.experiment = std::make_unique<Experiment>(
+        scenes_[candidate.place], candidate.composition,
+        [this, &candidate](const Resolution& resolution) {
+          const Scene& scene = scenes_[candidate.place];
+          auto search = make_search(scene, *candidate.composition);
+          candidate.search = search.get();
+          return Run(scene, candidate.composition, resolution, std::move(search));
+        });
+    return candidate.search;
+  }
+
+  /// Looks at the step that was made. False when it was the last one.
+  bool observe_search(Candidate& candidate) {
+    const auto begin = Clock::now();
+    try {
+      candidate.experiment->observe_step();
+      if (!candidate.experiment->finished()) return true;
+    } catch (const RunFailure& failure) {
+      candidate.failure = failure.what();
+    }
+    candidate.wall_time += seconds_since(begin);
+    conclude(candidate);
+    return false;
+  }
+
+  /// False when told to stop.
+  bool move() {
+    outcome_.in_lanes = lanes_pay();
+    return outcome_.in_lanes ? run_in_lanes() : run_singly();
+  }
+
   /// Whether so many lanes will be taken for so long that a bundle is faster than single runs.
   /// Since the results are the same to the last bit, this changes nothing but the time.
   bool lanes_pay() const {
@@ -323,14 +391,22 @@ ResultTexts texts_of(const Experiment& experiment) {
 }
 
 bool can_be_in_lanes(const Scene& scene) {
+  if (scene.is_static()) return true;
   const bool known = scene.wall.kind == WallKind::kPotential || !scene.is_damped();
   return scene.kind == SceneKind::kCollision && known && !is_adaptive(scene.numerics.integrator);
 }
 
+std::shared_ptr<const Bodies> make_common_bodies(const std::vector<Scene>& scenes) {
+  const auto damped = std::find_if(scenes.begin(), scenes.end(),
+                                   [](const Scene& scene) { return scene.is_damped(); });
+  return make_bodies(damped != scenes.end() ? *damped : scenes.front());
+}
+
 std::optional<SeriesOutcome> simulate_side_by_side(const std::vector<Scene>& scenes,
+                                                   std::shared_ptr<const Bodies> bodies,
                                                    const std::function<bool()>& stop,
                                                    const std::function<void()>& done) {
-  return SideBySide(scenes, stop, done).run();
+  return SideBySide(scenes, std::move(bodies), stop, done).run();
 }
 
 }  // namespace impact

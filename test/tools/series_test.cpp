@@ -92,41 +92,6 @@ TEST_F(RunSeries, GoesOnWhereTheFileEnds) {
   }
 }
 
-/// Each load but the first of a lattice is solved from the one before. Cut in the middle of a
-/// chain, the series still comes out the same to the last bit.
-TEST_F(RunSeries, GoesOnInTheMiddleOfASeriesOfLoads) {
-  const auto contacts = scenes(
-      "{scene: contact, disk: {points: 40}, numerics: {integrator: newton}, load: {P: [0.004, "
-      "0.006, 0.01]}, seed: [1, 2]}");
-  std::vector<Scene> by_seed = contacts;
-  std::sort(by_seed.begin(), by_seed.end(), [](const Scene& a, const Scene& b) {
-    return std::make_pair(a.seed, a.load.p) < std::make_pair(b.seed, b.load.p);
-  });
-  const auto rows = run(by_seed);
-  const std::string complete = content(path_);
-  std::filesystem::resize_file(path_, complete.size() / 2);
-  run(by_seed);
-  EXPECT_EQ(without_wall_time(content(path_)), without_wall_time(complete));
-  for (const Row& row : rows) {
-    Experiment alone(row.scene);
-    alone.advance();
-    // Both are solved to error/10 of P/N, 10⁻⁵ of the force on a point.
-    EXPECT_NEAR(row.results.at("strain") / alone.strain().strain(), 1.0, 1e-5);
-  }
-}
-
-/// A lattice that was pressed into folds does not pass them on to the next load.
-TEST_F(RunSeries, DoesNotGoOnFromAFoldedLattice) {
-  const auto rows = run(
-      scenes("{scene: contact, disk: {points: 40}, numerics: {integrator: newton}, load: {P: [0.4, "
-             "0.004]}}"));
-  ASSERT_NE(rows[0].flags.find("folded"), std::string::npos) << rows[0].flags;
-  EXPECT_EQ(rows[1].flags, "");
-  Experiment alone(rows[1].scene);
-  alone.advance();
-  EXPECT_EQ(rows[1].results.at("strain"), alone.strain().strain());
-}
-
 TEST_F(RunSeries, LeavesAForeignFileAlone) {
   run(small_scenes());
   const std::string of_series = content(path_);
@@ -208,12 +173,24 @@ std::vector<Scene> impacts_on_the_elastic_wall() {
   return all;
 }
 
+/// Loads up to crushing (the first folds, with many steps and shifts, while others finish), with and
+/// without the rotation held.
+std::vector<Scene> contacts() {
+  return scenes(
+      "{scene: contact, disk: {points: 300}, load: {P: [0.4, 1.e-4, 2.e-4, 0.003, 0.005, 0.02, 0.1],"
+      " hold_rotation: [true, false]}, material: {k_b: [0, 5]}}");
+}
+
+std::vector<Scene> stretches() {
+  return scenes("{scene: stretch, disk: {points: 300}, stretch: {strain: [1.e-4, 1.e-3, 0.01, 0.03]}}");
+}
+
 /// To the last bit. Returns the integrators that were used.
 std::set<std::string> expect_results_of_single_experiments(const std::vector<Scene>& scenes) {
   std::set<std::string> integrators;
   EXPECT_TRUE(std::all_of(scenes.begin(), scenes.end(), can_be_in_lanes));
   const auto outcome = simulate_side_by_side(
-      scenes, [] { return false; }, [] {});
+      scenes, make_common_bodies(scenes), [] { return false; }, [] {});
   EXPECT_TRUE(outcome->in_lanes);
   EXPECT_EQ(outcome->results.size(), scenes.size());
   for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -240,6 +217,11 @@ TEST(SideBySide, DoesSoOnTheElasticWall) {
   expect_results_of_single_experiments(impacts_on_the_elastic_wall());
 }
 
+TEST(SideBySide, DoesSoWithStaticSolutions) {
+  expect_results_of_single_experiments(contacts());
+  expect_results_of_single_experiments(stretches());
+}
+
 /// One that would need too many steps.
 TEST(SideBySide, OthersGoOnWhenARunFails) {
   std::vector<Scene> scenes(12, impacts_on_the_potential_wall().front());
@@ -249,7 +231,7 @@ TEST(SideBySide, OthersGoOnWhenARunFails) {
   for (Scene& scene : scenes) scene.impact.gap = 0.3;
   std::size_t done = 0;
   const auto outcome = simulate_side_by_side(
-      scenes, [] { return false; }, [&] { ++done; });
+      scenes, make_common_bodies(scenes), [] { return false; }, [&] { ++done; });
   EXPECT_EQ(done, scenes.size());
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const std::string flags = outcome->results[i].at("flags");
@@ -258,8 +240,9 @@ TEST(SideBySide, OthersGoOnWhenARunFails) {
 }
 
 TEST(SideBySide, StopsWhenTold) {
+  const std::vector<Scene> scenes = impacts_on_the_potential_wall();
   EXPECT_FALSE(simulate_side_by_side(
-                   impacts_on_the_potential_wall(), [] { return true; }, [] {})
+                   scenes, make_common_bodies(scenes), [] { return true; }, [] {})
                    .has_value());
 }
 
