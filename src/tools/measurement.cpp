@@ -109,8 +109,10 @@ std::vector<double> Effort::errors() const {
 
 void repeat_in_turn(std::vector<Measurement>& measurements, const Effort& effort) {
   for (int round = 1; round < effort.rounds; ++round) {
-    for (Measurement& measurement : measurements) {
+    for (std::size_t i = 0; i < measurements.size(); ++i) {
       throw_if_interrupted();
+      const bool backwards = round % 2 == 1;
+      Measurement& measurement = measurements[backwards ? measurements.size() - 1 - i : i];
       if (measurement.has_answer() && measurement.spent() < effort.most) {
         measurement.run(2.0 * effort.longest);
       }

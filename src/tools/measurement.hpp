@@ -71,8 +71,8 @@ struct Effort {
 /// @throw std::runtime_error after SIGINT or SIGTERM.
 void throw_if_interrupted();
 
-/// Repeats all measurements that have an answer, in turn, so that a machine that becomes slower for
-/// a while does so for all of them. Each has been run once already.
+/// Repeats all measurements that have an answer, in turn and in turn backwards, so that a machine
+/// that becomes slower for a while does so for all of them. Each has been run once already.
 /// @throw std::runtime_error as throw_if_interrupted().
 void repeat_in_turn(std::vector<Measurement>& measurements, const Effort& effort);
 

@@ -1,14 +1,17 @@
-// What runs cost: the forces of the bonds, a step of every integrator, a static solution, an
-// impact, a sweep.
+// What runs cost: the forces of the bonds, a step of every integrator, static solutions, an impact,
+// a sweep.
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "mechanics/equilibrium_solver.hpp"
 #include "mechanics/lane_field.hpp"
 #include "mechanics/simulation.hpp"
 #include "mechanics/threads.hpp"
@@ -190,6 +193,44 @@ void static_solution(benchmark::State& state) {
   state.counters["points*iterations/s"] = in_all(iterations * static_cast<double>(state.range(0)));
 }
 BENCHMARK(static_solution)->Arg(1099)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+
+/// Eight loads on one disk, by searches one after another or side by side.
+template <class Solver>
+void static_series(benchmark::State& state) {
+  Scene scene;
+  scene.kind = SceneKind::kContact;
+  scene.disk.recipe.points = static_cast<int>(state.range(0));
+  const auto bodies = make_bodies(scene);
+  std::vector<Composition> starts;
+  for (int i = 1; i <= kLanes; ++i) {
+    scene.load.p = 0.001 * i;
+    starts.push_back(compose(scene, bodies));
+  }
+  for (auto _ : state) {
+    Solver solver;
+    for (std::size_t first = 0; first < starts.size(); first += Solver::kSearches) {
+      std::vector<std::unique_ptr<EquilibriumSearch>> searches;
+      typename Solver::Searches lanes{};
+      for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
+        searches.push_back(make_search(scene, starts[first + lane]));
+        lanes[lane] = searches.back().get();
+      }
+      const auto goes_on = [](const auto& search) { return !search->finished(); };
+      while (std::any_of(searches.begin(), searches.end(), goes_on)) solver.advance(lanes);
+    }
+  }
+  state.counters["solutions/s"] = per_iteration(kLanes);
+}
+BENCHMARK_TEMPLATE(static_series, EquilibriumSolver)
+    ->Arg(1099)
+    ->Arg(4000)
+    ->Arg(16000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(static_series, LaneEquilibriumSolver)
+    ->Arg(1099)
+    ->Arg(4000)
+    ->Arg(16000)
+    ->Unit(benchmark::kMillisecond);
 
 /// 16 velocities on one lattice.
 std::vector<Scene> sixteen_velocities(const Scene& scene) {
