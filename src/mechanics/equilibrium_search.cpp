@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -10,7 +11,8 @@
 namespace impact {
 namespace {
 
-constexpr std::uint64_t kMostIterations = 500;
+/// A load that crushes the disk, P = 1, takes 1200.
+constexpr std::uint64_t kMostIterations = 2000;
 constexpr double kLongestMove = 3.0;          // in ranges 1/a of the wall
 constexpr double kSufficientDecrease = 1e-4;  // of the slope (Armijo)
 constexpr int kMostHalvings = 40;

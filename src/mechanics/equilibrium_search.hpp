@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 
 #include "mechanics/motion.hpp"
 
@@ -57,7 +56,6 @@ class EquilibriumSearch : public Motion {
   PointArray force_;
   PointArray correction_;
   double largest_force_;
-  std::uint64_t iterations_ = 0;
   int attempt_ = 0;             ///< at a step, each with a greater shift
   bool keeps_factors_ = false;  ///< those of the latest step, which had no shift
   bool ends_;
