@@ -69,8 +69,8 @@ struct ForceField {
   /// Whether forces depend on velocities.
   bool damped() const { return bonds.damped() || viscous_boundary; }
 
-  /// Whether a rigid shift along this axis (0: x, 1: y) costs no energy, so that forces are the same
-  /// after it.
+  /// Whether a rigid shift along this axis (0: x, 1: y) costs no energy, so that forces are the
+  /// same after it.
   bool shifts_freely(int axis) const;
 
   void resize(PointArray& all_points) const { all_points.resize(bonds.points(), 2); }

@@ -75,16 +75,15 @@ class Workers {
   /// `bodies`: of the scenes; nullptr: not made yet.
   std::future<std::optional<SeriesOutcome>> start(std::vector<Scene> scenes, SharedBodies bodies) {
     return boost::asio::post(
-        pool_, boost::asio::use_future(
-                   [this, scenes = std::move(scenes), bodies = std::move(bodies)]() mutable {
-                     threads_in_a_run() = 1;
-                     const std::function<bool()> stop = [this] { return stopped(); };
-                     const std::function<void()> done = [this] { ++done_; };
-                     if (!bodies) bodies = make_common_bodies(scenes);
-                     return scenes.size() == 1
-                                ? simulate(scenes.front(), std::move(bodies), stop, done)
-                                : simulate_side_by_side(scenes, std::move(bodies), stop, done);
-                   }));
+        pool_, boost::asio::use_future([this, scenes = std::move(scenes),
+                                        bodies = std::move(bodies)]() mutable {
+          threads_in_a_run() = 1;
+          const std::function<bool()> stop = [this] { return stopped(); };
+          const std::function<void()> done = [this] { ++done_; };
+          if (!bodies) bodies = make_common_bodies(scenes);
+          return scenes.size() == 1 ? simulate(scenes.front(), std::move(bodies), stop, done)
+                                    : simulate_side_by_side(scenes, std::move(bodies), stop, done);
+        }));
   }
 
  private:

@@ -115,7 +115,8 @@ class SideBySide {
  private:
   /// Goes to the states at rest. False when told to stop.
   bool solve() {
-    outcome_.in_lanes = lattice_.points.rows() <= kMostPoints && candidates_.size() >= kFewestSearches;
+    outcome_.in_lanes =
+        lattice_.points.rows() <= kMostPoints && candidates_.size() >= kFewestSearches;
     return outcome_.in_lanes ? solve_by<LaneEquilibriumSolver>() : solve_by<EquilibriumSolver>();
   }
 

@@ -1,10 +1,9 @@
-#include "mechanics/equilibrium_solver.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "mechanics/equilibrium_solver.hpp"
 #include "test_lattices.hpp"
 
 namespace impact {
