@@ -4,6 +4,7 @@
 #include <Eigen/SparseCore>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 #include "mechanics/equilibrium_search.hpp"
@@ -22,7 +23,7 @@ namespace impact {
 template <class Scalar>
 class BasicEquilibriumSolver {
  public:
-  static constexpr int kSearches = sizeof(Scalar) / sizeof(double);
+  static constexpr int kSearches = std::is_same_v<Scalar, LaneScalar> ? kLanes : 1;
   /// Each in the lane where it has been since its beginning. nullptr: nobody.
   using Searches = std::array<EquilibriumSearch*, kSearches>;
 
