@@ -10,8 +10,8 @@ import rosgraph
 import rospy
 import rostest
 
-from programs import (IMPACT_RESULTS, PACKAGE, BagAnalysis, Process, bag_messages, bits, impact,
-                      launch, poll_until, program, random_namespace)
+from programs import (IMPACT_RESULTS, PACKAGE, TIMEOUT, BagAnalysis, Process, bag_messages, bits,
+                      impact, launch, poll_until, program, random_namespace)
 from results import Results
 
 SERIES = {'N': 60, 'eta': 10, 'velocity': [0.01, 0.02, 0.03, 0.05, 0.08], 'period': 0.1}
@@ -100,13 +100,12 @@ class RecordingTest(unittest.TestCase):
     def replay(self, bag, counts, rate):
         """The messages of each of the topics, as many of them as said."""
         with Results(self.namespace) as results:
-            # On a busy machine this reader, in Python, may lag seconds behind.
-            with launch('replay.launch', ns=self.namespace, bag=bag, rate=rate, linger=5.0,
-                        wait_for='[{}]'.format(rospy.get_name())) as run:
-                run.wait()
             inboxes = [getattr(results, topic) for topic in counts]
-            for inbox, count in zip(inboxes, counts.values()):
-                inbox.wait_for_count(count)
+            # On a busy machine this reader, in Python, may lag many seconds behind.
+            with launch('replay.launch', ns=self.namespace, bag=bag, rate=rate, linger=TIMEOUT,
+                        wait_for='[{}]'.format(rospy.get_name())):
+                for inbox, count in zip(inboxes, counts.values()):
+                    inbox.wait_for_count(count)
             return [inbox.messages() for inbox in inboxes]
 
     def assert_replay_equals_live(self, rate):
