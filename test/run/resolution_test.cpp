@@ -89,6 +89,13 @@ TEST(FirstResolution, AutoGoesToHigherOrderForSmallErrors) {
   EXPECT_EQ(first(scene, damped).integrator, IntegratorKind::kExtrapolatedDamping);
 }
 
+/// Steps that are short enough for damping to be stable do not yet make its error small.
+TEST(FirstResolution, AutoExpectsTheErrorOfStiffDamping) {
+  Scene scene = scene_with(IntegratorKind::kAuto, 0.05, 100.0);
+  scene.numerics.error = 1e-7;
+  EXPECT_EQ(first(scene, {8100.0, 1240.0}).integrator, IntegratorKind::kExtrapolatedDamping);
+}
+
 /// Explicit steps where damping leaves them long, implicit ones where it makes them short.
 TEST(FirstResolution, AutoGoesToImplicitDampingWhereItIsStiff) {
   const auto integrator = [](double eta) {
