@@ -104,14 +104,13 @@ lattice_impact::Restitution to_message(const Restitution& restitution) {
   lattice_impact::Restitution message;
   message.velocity_before = restitution.velocity_before;
   message.velocity_after = restitution.velocity_after;
-  message.restitution = restitution.restitution;
-  message.tangential_velocity_after = restitution.tangential_velocity_after;
-  message.spin_after = restitution.spin_after;
-  message.contact_begin = restitution.contact_begin;
-  message.contact_end = restitution.contact_end;
-  message.contact_duration = restitution.contact_duration;
-  message.peak_force = restitution.peak_force;
-  message.impulse = restitution.impulse;
+  copy_numbers(restitution, message);
+  return message;
+}
+
+lattice_impact::ImpactNumbers numbers_to_message(const Restitution& restitution) {
+  lattice_impact::ImpactNumbers message;
+  copy_numbers(restitution, message);
   return message;
 }
 

@@ -2,6 +2,7 @@
 
 #include <lattice_impact/ContactForces.h>
 #include <lattice_impact/EnergyLedger.h>
+#include <lattice_impact/ImpactNumbers.h>
 #include <lattice_impact/Lattice.h>
 #include <lattice_impact/LawFit.h>
 #include <lattice_impact/ParticleStates.h>
@@ -11,7 +12,7 @@
 
 #include "lattice/lattice.hpp"
 #include "measure/contact_report.hpp"
-#include "measure/impact_analysis.hpp"
+#include "measure/impact_answer.hpp"
 #include "measure/strain.hpp"
 #include "mechanics/energy_ledger.hpp"
 #include "mechanics/state.hpp"
@@ -27,6 +28,7 @@ lattice_impact::ContactForces to_message(const ContactReport& report);
 lattice_impact::EnergyLedger to_message(const EnergyLedger& ledger, double error);
 lattice_impact::Strain to_message(const Strain& strain);
 lattice_impact::Restitution to_message(const Restitution& restitution);
+lattice_impact::ImpactNumbers numbers_to_message(const Restitution& restitution);
 /// Without the constants, which are left to the caller too.
 lattice_impact::LawFit to_message(const LawFit& law);
 
@@ -35,5 +37,13 @@ lattice_impact::LawFit to_message(const LawFit& law);
 Lattice from_message(const lattice_impact::Lattice& message);
 State from_message(const lattice_impact::ParticleStates& message);
 ContactReport from_message(const lattice_impact::ContactForces& message);
+
+/// Copies the numbers of impact_numbers(), between any two types that have them.
+template <class From, class To>
+void copy_numbers(const From& from, To& to) {
+  const auto source = impact_numbers<From>();
+  const auto target = impact_numbers<To>();
+  for (std::size_t k = 0; k < source.size(); ++k) to.*(target[k].second) = from.*(source[k].second);
+}
 
 }  // namespace impact

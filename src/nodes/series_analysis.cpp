@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "scene/scene_parameters.hpp"
@@ -22,6 +23,15 @@ bool has_flag(const lattice_impact::RunStatus& status, const char* flag) {
 bool is_answered(const lattice_impact::RunStatus& status) {
   return status.phase == lattice_impact::RunStatus::FINISHED &&
          !has_flag(status, "not_separated") && !has_flag(status, "not_at_rest");
+}
+
+/// Whether e of the states is not the answer, by more than the errors. Where the simulation knows
+/// no error, the two are one.
+bool disagrees(const lattice_impact::Restitution& message) {
+  const double difference = std::abs(message.restitution_of_run - message.restitution);
+  const double allowed =
+      std::isnan(message.restitution_of_run_error) ? 0.0 : message.restitution_of_run_error;
+  return message.complete != 0 && !(difference <= allowed);
 }
 
 const char* phase_flag(const lattice_impact::RunStatus& status) {
@@ -116,7 +126,7 @@ void SeriesAnalysis::publish_strain(Run& run, lattice_impact::Strain strain) con
 }
 
 void SeriesAnalysis::publish_restitution(const Run& run, bool ended, bool complete) const {
-  lattice_impact::Restitution message = to_message(run.impact.restitution(complete));
+  lattice_impact::Restitution message = answer_of(run, complete);
   message.header = run.last_strain.header;
   message.run = run.last_strain.run;
   message.ended = static_cast<std::uint8_t>(ended);
@@ -124,7 +134,22 @@ void SeriesAnalysis::publish_restitution(const Run& run, bool ended, bool comple
   message.flags = run.status->flags;
   if (const char* flag = phase_flag(*run.status)) message.flags.emplace_back(flag);
   if (run.gap) message.flags.emplace_back("incomplete");
+  if (disagrees(message)) message.flags.emplace_back("disagrees");
   outputs_.restitution(message);
+}
+
+lattice_impact::Restitution SeriesAnalysis::answer_of(const Run& run, bool complete) {
+  const Restitution of_run = run.impact.restitution(complete);
+  lattice_impact::Restitution message = to_message(of_run);
+  copy_numbers(Restitution{}, message.error);
+  message.restitution_of_run = of_run.restitution;
+  message.restitution_of_run_error = Restitution::kNaN;
+  if (!complete) return message;
+  copy_numbers(run.status->answer, message);
+  message.error = run.status->answer_error;
+  message.restitution_of_run_error = run.status->restitution_of_run_error;
+  message.velocity_after = -message.restitution * of_run.velocity_before;
+  return message;
 }
 
 void SeriesAnalysis::close(std::uint32_t number) {
@@ -151,7 +176,7 @@ void SeriesAnalysis::report_closed(const Run& run, std::uint32_t number, bool co
   if (complete) {
     closed.answer = run.scene->kind == SceneKind::kContact
                         ? run.last_strain.strain
-                        : run.impact.restitution(complete).restitution;
+                        : run.status->answer.restitution;
   }
   outputs_.closed(closed);
 }

@@ -85,6 +85,7 @@ class SeriesAnalysis {
   void close(std::uint32_t number);
   void publish_strain(Run& run, lattice_impact::Strain strain) const;
   void publish_restitution(const Run& run, bool ended, bool complete) const;
+  static lattice_impact::Restitution answer_of(const Run& run, bool complete);
   void report_closed(const Run& run, std::uint32_t number, bool complete) const;
   Run& open_run(std::uint32_t number) { return runs_[number]; }
 

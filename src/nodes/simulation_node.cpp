@@ -131,16 +131,14 @@ void SimulationNode::simulate(const Scene& scene,
   } catch (const RunFailure& cause) {
     failure = cause.what();
   }
-  status_.estimated_error = control.estimated_error();
+  take_answer(control);
   Run run(scene, composition, control.resolution());
   start(scene, run);
   try {
     if (!failure.empty()) throw RunFailure(failure);
-    publish_run(run);
-    if (run.finished() && scene.kind == SceneKind::kContact) {
-      control.accepts(run);
-      status_.estimated_error = control.estimated_error();
-    }
+    const Restitution measured = publish_run(run);
+    if (run.finished() && !control.accepted()) control.accepts(run, measured);
+    take_answer(control);
   } catch (const std::runtime_error& cause) {
     publish_status(run, lattice_impact::RunStatus::FAILED, cause.what());
     streams_.close();
@@ -152,13 +150,15 @@ void SimulationNode::simulate(const Scene& scene,
   run_start_ = status_.header.stamp + ros::Duration(1.0);
 }
 
-void SimulationNode::publish_run(Run& run) {
+Restitution SimulationNode::publish_run(Run& run) {
+  ImpactAnalysis analysis;
   publish_status(run, lattice_impact::RunStatus::RUNNING);
-  publish_output(run);
+  publish_output(run, analysis);
   while (!run.finished() && !interrupted()) {
     run.advance(interrupted);
-    publish_output(run);
+    publish_output(run, analysis);
   }
+  return analysis.restitution(run.finished() && !run.has_flag("not_separated"));
 }
 
 void SimulationNode::start(const Scene& scene, const Run& run) {
@@ -181,8 +181,10 @@ void SimulationNode::send_lattice(Body body, const Lattice& lattice, const Run& 
   streams_.send(body, message);
 }
 
-void SimulationNode::publish_output(Run& run) {
+void SimulationNode::publish_output(Run& run, ImpactAnalysis& analysis) {
   const ContactReports reports = run.take_contact_reports();
+  analysis.add(reports.on_disk);
+  if (status_.states == 0 || run.finished()) analysis.add(run.disk_state());
   if (streams_.heard(Body::kDisk)) {
     send(Body::kDisk, run.disk_state(), reports.on_disk, stamp(run));
   }
@@ -224,6 +226,13 @@ void SimulationNode::publish_status(const Run& run, std::uint8_t phase, const st
   status_.energy = to_message(run.motion().ledger(), run.energy_error());
   streams_.send(status_);
   ++status_.sequence;
+}
+
+void SimulationNode::take_answer(const ErrorControl& control) {
+  status_.estimated_error = control.estimated_error();
+  status_.answer = numbers_to_message(control.answer().value);
+  status_.answer_error = numbers_to_message(control.answer().error);
+  status_.restitution_of_run_error = control.answer().error_of_run;
 }
 
 void SimulationNode::keep_pace() {

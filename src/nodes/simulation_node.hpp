@@ -12,6 +12,7 @@
 #include "nodes/node_parameters.hpp"
 #include "nodes/readers.hpp"
 #include "nodes/viewer.hpp"
+#include "measure/impact_analysis.hpp"
 #include "run/error_control.hpp"
 #include "run/run.hpp"
 #include "scene/scene.hpp"
@@ -43,12 +44,13 @@ class SimulationNode {
 
  private:
   void simulate(const Scene& scene, const std::shared_ptr<const Composition>& composition);
-  void publish_run(Run& run);
+  Restitution publish_run(Run& run);
   void start(const Scene& scene, const Run& run);
-  void publish_output(Run& run);
+  void publish_output(Run& run, ImpactAnalysis& analysis);
   void send_lattice(Body body, const Lattice& lattice, const Run& run);
   void send(Body body, const State& state, const ContactReport& report, const ros::Time& stamp);
   void publish_status(const Run& run, std::uint8_t phase, const std::string& error = {});
+  void take_answer(const ErrorControl& control);
   void keep_pace();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   ros::Time stamp(const Run& run) const;

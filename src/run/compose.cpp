@@ -71,9 +71,7 @@ double automatic_gap(const Scene& scene, const PointArray& reference, const Pote
   const double v = scene.impact.velocity;
   const double gap =
       wall.height_of_energy(reference, negligible_wall_energy(scene)) + kApproach * v;
-  if (scene.wall.kind != WallKind::kLattice || scene.wall.boundary != Boundary::kReset) return gap;
-  const double way = v * scene.wall.reset_interval;
-  return way * std::ceil(gap / way);
+  return on_whole_resets(scene, gap);
 }
 
 /// The disk above the wall, which is at rest with its surface at y = 0.
@@ -149,6 +147,20 @@ Composition compose_on_wall(const Scene& scene, std::shared_ptr<const Bodies> bo
 
 double negligible_wall_energy(const Scene& scene) {
   return 0.01 * scene.numerics.error * 0.5 * scene.impact.velocity * scene.impact.velocity;
+}
+
+State start_of(const Composition& composition, const Resolution& resolution) {
+  State start = composition.initial;
+  start.position.col(1).head(composition.bodies->disk.points.rows()) += resolution.lift;
+  return start;
+}
+
+double on_whole_resets(const Scene& scene, double height) {
+  if (scene.wall.kind != WallKind::kLattice || scene.wall.boundary != Boundary::kReset) {
+    return height;
+  }
+  const double way = scene.impact.velocity * scene.wall.reset_interval;
+  return way * std::ceil(height / way);
 }
 
 Composition compose(const Scene& scene, std::shared_ptr<const Bodies> bodies) {

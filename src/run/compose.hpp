@@ -28,6 +28,13 @@ Composition compose(const Scene& scene);
 Composition compose(const Scene& scene, std::shared_ptr<const Bodies> bodies);
 std::shared_ptr<const Composition> compose_shared(const Scene& scene);
 
+/// Where a run made so starts.
+State start_of(const Composition& composition, const Resolution& resolution);
+
+/// The height (R), not below `height`, from which the disk comes down in a whole number of
+/// intervals between resets of an elastic wall; where there are none, `height`.
+double on_whole_resets(const Scene& scene, double height);
+
 /// The energy of the potential wall that counts as none: numerics.error/100 of the kinetic energy
 /// at the start. In M c².
 double negligible_wall_energy(const Scene& scene);

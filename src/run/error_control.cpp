@@ -12,27 +12,40 @@
 namespace impact {
 namespace {
 
-constexpr double kLeastRefinement = 1.3;
-constexpr double kMostRefinement = 5.0;  // at once
-constexpr double kMargin = 2.0;
-constexpr double kTail = 0.01;  // of numerics.error
+constexpr double kMostRefinement = 5.0;  // at once, where an order is seen
+constexpr double kMostBlindRefinement = 2.0;
 constexpr double kMostSteps = 3e5;
 constexpr double kLeastTolerance = 1e-14;
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+/// Rounding of e over ε √steps, and of ξ over ε R.
+constexpr double kRoundingOfImpact = 16.0;
+constexpr double kRoundingOfStrain = 4.0;
+/// The part of numerics.error above which the wall's tail is made smaller.
+constexpr double kMostTail = 0.1;
 /// Refinements that may leave the estimate as it is before the cause is taken to be another one.
 constexpr int kMostStagnations = 2;
 constexpr double kStagnation = 0.7;
 
-/// The order by which errors are expected to fall. Stiff damping takes half of it from
-/// extrapolation (order reduction): 3 … 4 were seen.
-int expected_order(const Resolution& resolution, const Rates& rates) {
-  const bool stiff = rates.lattice.gamma * resolution.step > 1.0;
-  return stiff && resolution.integrator == IntegratorKind::kExtrapolatedDamping
-             ? 3
-             : order_of(resolution.integrator);
+/// What vanishes with the error of a run.
+double step_of(const Resolution& resolution) {
+  return is_adaptive(resolution.integrator) ? std::sqrt(resolution.tolerance) : resolution.step;
 }
 
-double relative_difference(const Eigen::Array2d& a, const Eigen::Array2d& b) {
-  return (a - b).matrix().norm() / a.matrix().norm();
+FinishedImpact finished_impact(const Run& run, const Restitution& measured) {
+  FinishedImpact impact;
+  impact.measured = measured;
+  impact.step = run.motion().step_size();
+  impact.steps = run.state().step;
+  impact.time = run.state().time;
+  impact.tail_error = run.tail_error();
+  if (const auto& wall = run.motion().field().elastic_wall) {
+    impact.error_by_hops = wall->hops_size() / (measured.velocity_after * measured.velocity_after);
+  }
+  impact.step_reduced = run.motion().halvings() > 0;
+  impact.not_separated = run.has_flag("not_separated");
+  impact.folded = run.has_flag("folded");
+  impact.cut_off = run.has_flag("cut_off");
+  return impact;
 }
 
 }  // namespace
@@ -42,90 +55,165 @@ ErrorControl::ErrorControl(Scene scene, const Composition& composition)
       rates_(composition.rates),
       expected_time_(composition.expected_time),
       resolution_(composition.resolution),
-      most_steps_(std::max(kMostSteps, kMostRefinement * expected_time_ / resolution_.step)) {}
+      most_steps_(std::max(kMostSteps, kMostRefinement * expected_time_ / resolution_.step)) {
+  if (is_controlled()) plan(resolution_);
+}
 
-bool ErrorControl::accepts(const Run& run) {
-  switch (scene_.kind) {
-    case SceneKind::kCollision:
-      return scene_.numerics.are_given() || accepts_impact(run);
-    case SceneKind::kContact:
-      return accepts_contact(run);
-    default:
-      return true;
+bool ErrorControl::is_controlled() const {
+  return scene_.kind == SceneKind::kCollision && !scene_.numerics.are_given();
+}
+
+/// Runs that lead up to this one.
+void ErrorControl::plan(const Resolution& finest) {
+  planned_ = leading_up_to(scene_, finest);
+  runs_.clear();
+  go_on(kRefinement);
+}
+
+void ErrorControl::go_on(double factor) {
+  if (planned_.empty()) {
+    refine(factor);
+  } else {
+    resolution_ = planned_.back();
+    planned_.pop_back();
   }
 }
 
-std::optional<Resolution> ErrorControl::second_resolution() const {
-  if (scene_.kind != SceneKind::kCollision || scene_.numerics.are_given()) return std::nullopt;
-  ErrorControl later = *this;
-  try {
-    later.refine(kLeastRefinement);
-  } catch (const RunFailure&) {
-    return std::nullopt;
-  }
-  return later.resolution_;
+std::vector<Resolution> ErrorControl::later_resolutions() const {
+  return {planned_.rbegin(), planned_.rend()};
+}
+
+bool ErrorControl::accepts(const Run& run, const Restitution& measured) {
+  if (scene_.kind == SceneKind::kCollision) return accepts(finished_impact(run, measured));
+  accepted_ = scene_.kind != SceneKind::kContact || accepts_contact(run);
+  return accepted_;
 }
 
 void ErrorControl::find_resolution(const std::shared_ptr<const Composition>& composition,
                                    const std::function<bool()>& stop) {
-  if (scene_.kind != SceneKind::kCollision || scene_.numerics.are_given()) return;
-  for (bool accepted = false; !accepted && !stop();) {
+  if (!is_controlled()) return;
+  while (!accepted_ && !stop()) {
     Run run(scene_, composition, resolution_);
+    ImpactAnalysis analysis;
+    analysis.add(run.disk_state());
     try {
       while (!run.finished() && !stop()) run.advance(stop);
-      accepted = run.finished() && accepts(run);
+      analysis.add(run.disk_state());
+      analysis.add(run.take_contact_reports().on_disk);
+      if (run.finished()) accepts(run, analysis.restitution(true));
     } catch (const RunFailure& failure) {
       take_failure(failure);
     }
   }
 }
 
-bool ErrorControl::accepts_impact(const Run& run) {
-  if (run.has_flag("not_separated")) {
+bool ErrorControl::accepts(const FinishedImpact& run) {
+  if (!is_controlled()) {
+    answer_ = {run.measured, {}};
+    accepted_ = true;
+    return true;
+  }
+  if (run.not_separated) {
     give_up(
         fmt::format("the disk had not left the wall for good after {:.3g} R/c, {} times the "
                     "expected duration",
-                    run.state().time, Run::kPatience));
+                    run.time, Run::kPatience));
   }
-  const bool reduced = run.motion().halvings() > 0;
-  resolution_.step = run.motion().step_size();
-  const Answer answer{resolution_, run.disk_state().velocity.colwise().mean()};
-  if (!last_ || last_->resolution.integrator != resolution_.integrator || reduced) {
-    last_ = answer;
-    refine(kLeastRefinement);
+  if (run.step_reduced) {
+    resolution_.step = run.step;
+    runs_.clear();
+    planned_.clear();
+    refine(kRefinement);
     return false;
   }
-  unruly_ = unruly_ || run.has_flag("folded");
-  const double difference = relative_difference(answer.velocity, last_->velocity);
-  const bool adaptive = is_adaptive(resolution_.integrator);
-  const int order = expected_order(resolution_, rates_);
-  const double gain =
-      adaptive ? kMargin : std::pow(last_->resolution.step / resolution_.step, order) - 1.0;
-  const double estimate = kMargin * difference / gain;
-  estimated_error_ = estimate + kTail * scene_.numerics.error;
-  last_ = answer;
-  const bool good = estimated_error_ <= scene_.numerics.error;
-  if (good && (!unruly_ || last_was_good_)) return true;
-  last_was_good_ = good;
-  if (good) {
-    refine(kLeastRefinement);
+  if (starts_too_near(run)) return false;
+  runs_.push_back({resolution_, run.measured});
+  note_manners(run);
+  if (runs_.size() < runs_needed()) {
+    go_on(kRefinement);
     return false;
   }
+  conclude(run.tail_error +
+           kRoundingOfImpact * kEpsilon * std::sqrt(static_cast<double>(run.steps)));
+  accepted_ = estimated_error_ <= scene_.numerics.error;
+  if (!accepted_) refine_by_estimate(run);
+  return accepted_;
+}
 
-  unruly_ = unruly_ || std::isfinite(last_estimate_);
-  stagnations_ = estimate > kStagnation * last_estimate_ ? stagnations_ + 1 : 0;
-  last_estimate_ = estimate;
+/// True when the next run will start higher.
+bool ErrorControl::starts_too_near(const FinishedImpact& run) {
+  const double most = kMostTail * scene_.numerics.error;
+  if (scene_.impact.gap || run.tail_error <= most) return false;
+  Resolution finest = planned_.empty() ? resolution_ : planned_.front();
+  finest.lift +=
+      on_whole_resets(scene_, std::log(2.0 * run.tail_error / most) / scene_.wall.a);
+  plan(finest);
+  return true;
+}
+
+void ErrorControl::note_manners(const FinishedImpact& run) {
+  erratic_ = erratic_ || run.folded || run.cut_off;
+  irregular_ = irregular_ || run.error_by_hops > scene_.numerics.error;
+}
+
+std::size_t ErrorControl::runs_needed() const { return erratic_ ? 4 : 3; }
+
+/// The order that the latest runs may show.
+std::optional<int> ErrorControl::order() const {
+  constexpr double kLongestWay = 0.5;
+  const double longest_step = runs_[runs_.size() - 3].resolution.step;
+  const double way = scene_.wall.a * scene_.impact.velocity * longest_step;
+  if (erratic_ || irregular_ || way > kLongestWay || is_adaptive(resolution_.integrator)) {
+    return std::nullopt;
+  }
+  return order_of(resolution_.integrator);
+}
+
+/// Finds the answer of the latest runs. `noise`: relative error that finer steps do not take away.
+void ErrorControl::conclude(double noise) {
+  std::vector<Sample> samples;
+  for (auto run = runs_.end() - static_cast<std::ptrdiff_t>(runs_needed()); run != runs_.end();
+       ++run) {
+    samples.push_back({step_of(run->resolution), 0.0});
+  }
+  const Restitution& finest = runs_.back().measured;
+  answer_ = {finest, {}};
+  for (const auto& [name, number] : impact_numbers<Restitution>()) {
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      samples[k].value = runs_[runs_.size() - samples.size() + k].measured.*number;
+    }
+    const ConvergedValue estimate = converged(samples, order());
+    answer_.value.*number = estimate.value;
+    answer_.error.*number = estimate.error + noise * std::abs(estimate.value);
+  }
+  const double e = answer_.value.restitution;
+  answer_.value.velocity_after = -e * finest.velocity_before;
+  answer_.error.velocity_after = answer_.error.restitution * std::abs(finest.velocity_before);
+  answer_.error_of_run = std::abs(finest.restitution - e) + answer_.error.restitution;
+  estimated_error_ = answer_.error.restitution / std::abs(e);
+}
+
+void ErrorControl::refine_by_estimate(const FinishedImpact& run) {
+  stagnations_ = estimated_error_ > kStagnation * last_estimate_ ? stagnations_ + 1 : 0;
+  last_estimate_ = estimated_error_;
+  const bool adaptive = is_adaptive(resolution_.integrator);
   if (stagnations_ >= kMostStagnations) {
     give_up(fmt::format("finer {} do not bring the error of the restitution below {:.1e}{}",
                         adaptive ? "tolerances" : "steps", estimated_error_,
-                        run.has_flag("folded") ? ": the lattice folds"
-                        : run.has_flag("hops") ? ": contacts hop from bond to bond"
-                                               : ""));
+                        run.folded    ? ": the lattice folds"
+                        : run.cut_off ? ": the wall is cut off at wall.threshold"
+                        : irregular_  ? ": contacts hop from bond to bond"
+                                      : ""));
   }
-  const double wanted =
-      std::pow(2.0 * estimate / scene_.numerics.error, adaptive ? 0.25 : 1.0 / order);
-  refine(std::clamp(wanted, kLeastRefinement, kMostRefinement));
-  return false;
+  const double excess = 2.0 * estimated_error_ / scene_.numerics.error;
+  const bool is_extrapolated = answer_.value.restitution != runs_.back().measured.restitution;
+  if (is_extrapolated) {
+    refine(std::clamp(std::pow(excess, 1.0 / (order_of(resolution_.integrator) + 2)), kRefinement,
+                      kMostRefinement));
+  } else {
+    const double order = adaptive ? 4.0 : order_of(resolution_.integrator);
+    refine(std::clamp(std::pow(excess, 1.0 / order), kRefinement, kMostBlindRefinement));
+  }
 }
 
 bool ErrorControl::accepts_contact(const Run& run) {
@@ -133,7 +221,8 @@ bool ErrorControl::accepts_contact(const Run& run) {
   const PointArray position = run.disk_state().position;
   const double strain = meter.measure(position).strain();
   const double corrected = meter.measure(position + run.correction()).strain();
-  estimated_error_ = std::abs(corrected - strain) / std::abs(corrected);
+  estimated_error_ =
+      (std::abs(corrected - strain) + kRoundingOfStrain * kEpsilon) / std::abs(corrected);
   if (scene_.numerics.are_given()) return true;
   if (run.has_flag("not_at_rest")) give_up("no state of rest was found");
   if (estimated_error_ > scene_.numerics.error) {
@@ -145,20 +234,21 @@ bool ErrorControl::accepts_contact(const Run& run) {
 }
 
 void ErrorControl::take_failure(const RunFailure& failure) {
-  if (scene_.kind != SceneKind::kCollision || scene_.numerics.are_given()) throw failure;
+  if (!is_controlled()) throw failure;
   if (++stagnations_ > 2 * kMostStagnations) throw failure;
-  last_.reset();
+  runs_.clear();
+  planned_.clear();
   refine(2.0);
 }
 
-void ErrorControl::refine(double wanted_factor) {
-  const double step = resolution_.step / wanted_factor;
+void ErrorControl::refine(double factor) {
+  const double step = resolution_.step / factor;
   if (const auto better = better_integrator(scene_, resolution_, step, rates_)) {
-    resolution_ = *better;
     last_estimate_ = std::numeric_limits<double>::infinity();
+    plan(*better);
     return;
   }
-  resolution_ = finer(scene_, resolution_, wanted_factor);
+  resolution_ = finer(scene_, resolution_, factor);
   if (is_adaptive(resolution_.integrator)) {
     if (resolution_.tolerance < kLeastTolerance) {
       give_up(fmt::format("a tolerance below {:g} would be needed", kLeastTolerance));

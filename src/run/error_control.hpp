@@ -1,33 +1,56 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
-#include <optional>
-#include <string>
+#include <vector>
 
+#include "measure/impact_answer.hpp"
 #include "run/compose.hpp"
+#include "run/convergence.hpp"
 #include "run/run.hpp"
 
 namespace impact {
 
+/// What error control needs to know of an impact that was run to its end.
+struct FinishedImpact {
+  Restitution measured;
+  double step = 0.0;  ///< R/c, at the end: the shortest
+  std::uint64_t steps = 0;
+  double time = 0.0;           ///< R/c
+  double tail_error = 0.0;     ///< Run::tail_error()
+  double error_by_hops = 0.0;  ///< relative: how far hops from bond to bond could change e
+  bool step_reduced = false;
+  bool not_separated = false;
+  bool folded = false;
+  bool cut_off = false;
+};
+
 /// Sees to it that the answer of a scene, its restitution or strain, errs by no more than
 /// numerics.error: looks at each run when it is done, and asks for another one, more finely
-/// resolved, until the estimated error is small enough.
+/// resolved, until the error is small enough.
 ///
-/// Collision: step doubling in the wider sense. The answer is the velocity v′ of the centre of mass
-/// after the impact; two runs with steps h and r h, r ≥ 1.3, and a method of order p give the
-/// estimate 2 |v′(h) − v′(rh)|/((r^p − 1) |v′(h)|), with a margin of 2. Where damping is stiff
-/// (γ h > 1) the extrapolated method counts with p = 3. For an adaptive integrator
-/// the two tolerances differ by 1.3⁴ at least and the difference itself is the estimate. ε/100 is
-/// added for the wall's tail, in which the motion begins and ends. A run whose step was reduced on
-/// the way counts with its shortest step, and only serves as the coarser of two. Where the lattice
-/// folds, which amplifies errors, or the step that should have been short enough was not, two
-/// estimates in a row must be good. Where two runs of a method of order 2 show that it needs more
-/// steps than expected, `auto` may go over to one of order 6.
+/// Collision: at least three runs, each with steps 1.2 times shorter than the one before. The
+/// answer, e and all other numbers of the impact, is what converged() says of the last three:
+/// extrapolated to steps of no length where the three show the order of the method, else that of
+/// the finest run. An order is not looked for
+/// - where a point of the disk comes further towards the wall than half its range 1/a in a step,
+/// - where contacts pass from bond to bond with a change of energy that could change e by
+///   numerics.error,
+/// - where the lattice folds, or the wall is cut off at wall.threshold: these scatter most, and
+///   four runs are compared,
+/// - for an adaptive integrator, the tolerance of which stands for the square of a step.
+/// To the error is added what the wall does before the start and after the end of a run,
+/// Run::tail_error(), and rounding, 16 ε √steps (ε: spacing of doubles): twice to ten times the
+/// scatter of e for other wall.V0, v = 10⁻⁶ … 10⁻² c. A start that turns out too near to the wall,
+/// since little speed is left after the impact, is lifted.
+///
+/// A run whose step was reduced on the way does not count. Where runs of a method of order 2 show
+/// that it needs more steps than expected, `auto` may go over to one of order 6.
 ///
 /// Contact: the strain of the state at rest against that after one more step of Newton's method,
-/// which converges quadratically.
+/// which converges quadratically, and the rounding of positions, 4 ε R.
 ///
 /// Where the scene gives a step or tolerance, its first run of a collision is taken as it is, and
 /// its error is not known.
@@ -38,36 +61,52 @@ class ErrorControl {
   /// How the next run is to be made.
   const Resolution& resolution() const { return resolution_; }
 
-  /// How the run after the first will have to be made, as far as can be foreseen: empty when none
-  /// is sure to be needed.
-  std::optional<Resolution> second_resolution() const;
+  /// How the runs after the next one will have to be made, as far as they are sure to be needed.
+  std::vector<Resolution> later_resolutions() const;
 
-  /// Takes in a finished run made so. True when its answer is good.
+  /// Whether the answer is good.
+  bool accepted() const { return accepted_; }
+
+  /// Takes in a finished run made so, and what was measured of it. True when the answer is good.
   /// @throw RunFailure when the answer cannot be had, with the cause.
-  bool accepts(const Run& run);
+  bool accepts(const Run& run, const Restitution& measured);
+  /// The same for a collision.
+  bool accepts(const FinishedImpact& run);
 
   /// Takes in that a run broke off, to go on with a finer one.
   /// @throw RunFailure, the given one, when finer runs would not help or are not wanted.
   void take_failure(const RunFailure& failure);
 
-  /// Makes all runs of a collision, unseen, until one is accepted or `stop`, asked every 64 steps,
-  /// says true. A run at resolution() is then good.
+  /// Makes all runs of a collision, unseen, until the answer is good or `stop`, asked every 64
+  /// steps, says true. A run at resolution() is then the last of them once more. Does nothing for
+  /// scenes of which the first run is the answer.
   /// @throw RunFailure as accepts().
   void find_resolution(const std::shared_ptr<const Composition>& composition,
                        const std::function<bool()>& stop);
 
-  /// Relative; NaN: not known.
+  /// Of a collision, once accepted; before, NaN.
+  const ImpactAnswer& answer() const { return answer_; }
+
+  /// Relative, of e or ξ; NaN: not known.
   double estimated_error() const { return estimated_error_; }
 
  private:
-  struct Answer {
+  struct FinishedRun {
     Resolution resolution;
-    Eigen::Array2d velocity;
+    Restitution measured;
   };
 
-  bool accepts_impact(const Run& run);
+  bool is_controlled() const;
+  void plan(const Resolution& finest);
+  void go_on(double factor);
+  void refine(double factor);
   bool accepts_contact(const Run& run);
-  void refine(double wanted_factor);
+  bool starts_too_near(const FinishedImpact& run);
+  void note_manners(const FinishedImpact& run);
+  std::size_t runs_needed() const;
+  std::optional<int> order() const;
+  void conclude(double noise);
+  void refine_by_estimate(const FinishedImpact& run);
   [[noreturn]] void give_up(const std::string& cause) const;
 
   Scene scene_;
@@ -75,12 +114,15 @@ class ErrorControl {
   double expected_time_;
   Resolution resolution_;
   double most_steps_;
-  std::optional<Answer> last_;
+  std::vector<Resolution> planned_;  ///< after the present one, the next one last
+  std::vector<FinishedRun> runs_;    ///< of one method, from coarse to fine
+  ImpactAnswer answer_;
   double estimated_error_ = std::numeric_limits<double>::quiet_NaN();
   double last_estimate_ = std::numeric_limits<double>::infinity();
   int stagnations_ = 0;
-  bool unruly_ = false;  ///< the lattice folds, or an error did not fall as the order promises
-  bool last_was_good_ = false;
+  bool accepted_ = false;
+  bool erratic_ = false;    ///< the lattice folds or the wall is cut off
+  bool irregular_ = false;  ///< contacts hop from bond to bond
 };
 
 }  // namespace impact

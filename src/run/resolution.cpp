@@ -25,14 +25,20 @@ constexpr double kReportInterval = 0.02;     // R/c, of adaptive integrators
 constexpr double kRestReportInterval = 0.5;  // where a contact comes to rest
 /// Where a contact comes to rest does not depend on how it came there.
 constexpr double kRestTolerance = 1e-3;
-/// Relative error of e in steps h of velocity Verlet over (a v h)², as measured on the default disk
-/// for v = 0.01 … 0.05 c: 1.3 … 2.1 · 10⁻⁴.
-constexpr double kSecondOrderError = 2e-4;
-/// The same where damping, not the stiffness of the bonds, bounds its step: 6.8 · 10⁻⁴ at η* = 100.
-constexpr double kExplicitDampingError = 7e-4;
+/// Tolerances go with this power of the factor by which steps would be shortened.
+constexpr int kToleranceOrder = 4;
+/// Estimated relative error of e, extrapolated from steps of order 2, over (a v h)⁴ of the shortest,
+/// as measured on the default disk at 0.05 and 0.1 c without damping, and at 0.05 c with η* = 1 …
+/// 100.
+constexpr double kExtrapolatedError = 2.4e-4;
+constexpr double kExtrapolatedDampedError = 3e-5;
+/// Of a v h: the step up to which methods show their order.
+constexpr double kLongestWay = 0.5;
 
-/// The coarser of the two runs that are compared has steps longer by this factor.
-constexpr double kCoarser = 1.31;
+/// Runs of an answer before the one that is expected to be the last, and how much coarser the first
+/// of them is.
+constexpr int kLeadingRuns = 2;
+constexpr double kCoarsest = kRefinement * kRefinement;
 
 /// Steps are multiples of this, R/c, or whole parts of it; of methods whose longest step is longer
 /// than it, whole parts of twice as much.
@@ -45,12 +51,14 @@ double unit_of(IntegratorKind integrator) {
 /// Two points that push each other apart move against each other like one of half the mass.
 constexpr double kBothEndsMove = 2.0;
 
+bool has_resets(const Scene& scene) {
+  return scene.kind == SceneKind::kCollision && scene.wall.kind == WallKind::kLattice &&
+         scene.wall.boundary == Boundary::kReset;
+}
+
 /// The longest step, not above `step`, that divides the interval between resets.
 double dividing_resets(const Scene& scene, double step) {
-  if (scene.kind != SceneKind::kCollision || scene.wall.kind != WallKind::kLattice ||
-      scene.wall.boundary != Boundary::kReset) {
-    return step;
-  }
+  if (!has_resets(scene)) return step;
   constexpr double kRounding = 1e-9;
   return scene.wall.reset_interval / std::ceil(scene.wall.reset_interval / step - kRounding);
 }
@@ -92,23 +100,17 @@ double cost_of_step(const Scene& scene, IntegratorKind integrator) {
 double expected_step(const Scene& scene, IntegratorKind integrator, const Rates& rates) {
   const double longest = longest_step(scene, integrator, rates);
   if (scene.kind != SceneKind::kCollision) return round_step_down(longest, kUnit);
-  double step = longest / kCoarser;
+  const double wall_rate = scene.wall.a * scene.impact.velocity;
+  double step = std::min(longest, kLongestWay / wall_rate) / kCoarsest;
   if (order_of(integrator) == 2) {
-    const bool damping_bounds = integrator == IntegratorKind::kVerlet &&
-                                rates.lattice.gamma > std::sqrt(rates.lattice.omega_squared);
-    const double coefficient = damping_bounds ? kExplicitDampingError : kSecondOrderError;
-    step = std::min(step, std::sqrt(0.5 * scene.numerics.error / coefficient) /
-                              (scene.wall.a * scene.impact.velocity));
+    const double coefficient = scene.is_damped() ? kExtrapolatedDampedError : kExtrapolatedError;
+    step = std::min(step, std::pow(0.5 * scene.numerics.error / coefficient, 0.25) / wall_rate);
   }
   return round_step_down(step, unit_of(integrator));
 }
 
 Resolution fixed_resolution(const Scene& scene, IntegratorKind integrator, const Rates& rates) {
-  const double expected = expected_step(scene, integrator, rates);
-  const double first = scene.kind == SceneKind::kCollision
-                           ? std::min(kCoarser * expected, longest_step(scene, integrator, rates))
-                           : expected;
-  return {integrator, dividing_resets(scene, first), 0.0};
+  return {integrator, dividing_resets(scene, expected_step(scene, integrator, rates))};
 }
 
 Resolution automatic_resolution(const Scene& scene, const Rates& rates) {
@@ -219,7 +221,7 @@ Resolution first_resolution(const Scene& scene, const Rates& rates) {
   const bool automatic = integrator == IntegratorKind::kAuto;
   if (scene.numerics.step) {
     const IntegratorKind used = automatic ? IntegratorKind::kVerlet : integrator;
-    return {used, dividing_resets(scene, given_step(scene, used, rates.lattice)), 0.0};
+    return {used, dividing_resets(scene, given_step(scene, used, rates.lattice))};
   }
   return automatic ? automatic_resolution(scene, rates)
                    : fixed_resolution(scene, integrator, rates);
@@ -232,16 +234,36 @@ std::optional<Resolution> better_integrator(const Scene& scene, const Resolution
   if (scene.numerics.integrator != IntegratorKind::kAuto || order_of(resolution.integrator) > 2) {
     return std::nullopt;
   }
-  const Resolution first = fixed_resolution(scene, other, rates);
-  const double cost_of_both = (1.0 + kCoarser) * cost_of_step(scene, other) / first.step;
-  if (cost_of_step(scene, resolution.integrator) / step < cost_of_both) return std::nullopt;
+  Resolution first = fixed_resolution(scene, other, rates);
+  first.lift = resolution.lift;
+  const double cost_of_all = kStepsOfAllRuns * cost_of_step(scene, other) / first.step;
+  if (cost_of_step(scene, resolution.integrator) / step < cost_of_all) return std::nullopt;
   return first;
+}
+
+std::vector<Resolution> leading_up_to(const Scene& scene, const Resolution& finest) {
+  std::vector<Resolution> runs{finest};
+  for (int k = 0; k < kLeadingRuns; ++k) {
+    Resolution coarser = runs.back();
+    if (is_adaptive(finest.integrator)) {
+      coarser.tolerance *= std::pow(kRefinement, kToleranceOrder);
+    } else {
+      coarser.step *= kRefinement;
+    }
+    runs.push_back(coarser);
+  }
+  if (is_adaptive(finest.integrator) || !has_resets(scene)) return runs;
+  runs.back().step = dividing_resets(scene, runs.back().step);
+  for (auto run = runs.rbegin() + 1; run != runs.rend(); ++run) {
+    *run = finer(scene, run[-1], kRefinement);
+  }
+  return runs;
 }
 
 Resolution finer(const Scene& scene, const Resolution& resolution, double factor) {
   Resolution next = resolution;
   if (is_adaptive(resolution.integrator)) {
-    next.tolerance /= std::pow(factor, 4);
+    next.tolerance /= std::pow(factor, kToleranceOrder);
   } else {
     next.step = dividing_resets(
         scene, round_step_down(resolution.step / factor, unit_of(resolution.integrator)));

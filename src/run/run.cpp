@@ -38,7 +38,8 @@ std::unique_ptr<Motion> make_motion(const Scene& scene, const Composition& compo
                                     const Resolution& resolution) {
   if (scene.is_static()) return make_search(scene, composition);
   return std::make_unique<Simulation>(
-      composition.field, composition.initial, composition.rates.lattice, resolution.step,
+      composition.field, start_of(composition, resolution), composition.rates.lattice,
+      resolution.step,
       make_integrator(scene, resolution, composition.rates.sound_speed));
 }
 
@@ -62,6 +63,7 @@ Run::Run(const Scene& scene, std::shared_ptr<const Composition> composition,
   if (scene.kind != SceneKind::kCollision) return;
   const double v = scene.impact.velocity;
   const double relative_energy = 2.0 * motion_->ledger().wall / (v * v);
+  energy_at_start_ = motion_->ledger().wall;
   restitution_bound_ = std::sqrt(1.0 + relative_energy);
   if (relative_energy > scene.numerics.error) flags_.emplace_back("starts_in_wall");
   if (is_cut_off(scene, motion_->field())) flags_.emplace_back("cut_off");
@@ -89,6 +91,12 @@ void Run::advance(const std::function<bool()>& stop) {
 
 bool Run::has_flag(const std::string& flag) const {
   return std::find(flags_.begin(), flags_.end(), flag) != flags_.end();
+}
+
+double Run::tail_error() const {
+  const auto upwards = state().velocity.col(1).head(lattice().points.rows());
+  const double velocity = upwards.mean();
+  return (energy_at_start_ + motion_->ledger().wall) / (velocity * velocity);
 }
 
 State Run::disk_state() const {

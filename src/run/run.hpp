@@ -83,6 +83,10 @@ class Run {
   /// Largest e that energy allows: √(1 + 2U₀/(M v²)) with the wall's energy U₀ at the start.
   double restitution_bound() const { return restitution_bound_; }
 
+  /// At the end of a collision: relative error of e that the wall's energy at the start U₀ and at
+  /// the end U may make, (U₀ + U)/(M v′²).
+  double tail_error() const;
+
  private:
   void observe_search();
   void look();
@@ -98,6 +102,7 @@ class Run {
   EnergyMonitor monitor_;
   ContactRecorder recorder_;
   double restitution_bound_ = 0.0;
+  double energy_at_start_ = 0.0;  ///< of the wall, M c²
   std::vector<std::string> flags_;
   IntegratorKind integrator_;
   bool finished_ = false;

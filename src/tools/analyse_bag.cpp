@@ -158,7 +158,10 @@ class Pipeline {
     node["run"] = restitution.run;
     node["complete"] = restitution.complete != 0;
     node["velocity"] = exact(-restitution.velocity_before);
-    add_restitution(restitution, node);
+    add_impact(restitution, "", node);
+    add_impact(restitution.error, "_error", node);
+    node["restitution_of_run"] = exact(restitution.restitution_of_run);
+    node["restitution_of_run_error"] = exact(restitution.restitution_of_run_error);
     node["flags"] = flag_list(restitution.flags);
     results_.push_back(node);
   }

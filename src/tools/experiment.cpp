@@ -37,10 +37,19 @@ Quantity energy(std::string key, double EnergyLedger::*term) {
 std::vector<Quantity> impact_quantities(const Scene& scene) {
   std::vector<Quantity> list;
   list.push_back(number("velocity", [](const auto& e) { return e.scene().impact.velocity; }));
-  for (const auto& [key, member] : restitution_keys<Restitution>()) {
+  for (const auto& [key, member] : impact_numbers<Restitution>()) {
     list.push_back(
-        number(key, [member = member](const auto& e) { return e.restitution().*member; }));
+        number(key, [member = member](const auto& e) { return e.impact().value.*member; }));
   }
+  for (const auto& [key, member] : impact_numbers<Restitution>()) {
+    list.push_back(number(std::string(key) + "_error", [member = member](const auto& e) {
+      return e.impact().error.*member;
+    }));
+  }
+  list.push_back(number("restitution_of_run",
+                        [](const auto& e) { return e.restitution_of_run().restitution; }));
+  list.push_back(
+      number("restitution_of_run_error", [](const auto& e) { return e.impact().error_of_run; }));
   list.push_back(
       number("restitution_bound", [](const auto& e) { return e.run().restitution_bound(); }));
   list.push_back(energy("dissipated", &EnergyLedger::dissipated));
@@ -117,7 +126,7 @@ void Experiment::start_run() {
   analysis_ = {};
   if (make_run_) {
     run_.emplace(make_run_(control_.resolution()));
-    const State& start = composition_->initial;
+    const State start = start_of(*composition_, control_.resolution());
     const Eigen::Index disk = composition_->bodies->disk.points.rows();
     analysis_.add(State{0.0, 0, start.position.topRows(disk), start.velocity.topRows(disk)});
     return;
@@ -135,7 +144,7 @@ void Experiment::advance(const std::function<bool()>& stop) {
     start_run();
     return;
   }
-  take_in();
+  if (keep_history_ || run_->finished()) take_in();
   if (run_->finished()) end_run();
 }
 
@@ -154,7 +163,7 @@ void Experiment::observe_step() {
 }
 
 void Experiment::end_run() {
-  finished_ = control_.accepts(*run_);
+  finished_ = control_.accepts(*run_, restitution_of_run());
   if (!finished_) start_run();
 }
 
@@ -165,12 +174,12 @@ void Experiment::take_in() {
   if (!history_.empty()) history_ += history_line(*run_, strain(), report.total.y());
 }
 
-Restitution Experiment::restitution() const {
+Restitution Experiment::restitution_of_run() const {
   return analysis_.restitution(!run_->has_flag("not_separated"));
 }
 
 double Experiment::answer() const {
-  return scene_.kind == SceneKind::kContact ? strain().strain() : restitution().restitution;
+  return scene_.kind == SceneKind::kContact ? strain().strain() : impact().value.restitution;
 }
 
 ElasticConstants Experiment::elastic_constants() const {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "measure/elastic_constants.hpp"
-#include "measure/impact_analysis.hpp"
+#include "measure/impact_answer.hpp"
 #include "measure/strain.hpp"
 #include "run/error_control.hpp"
 #include "run/run.hpp"
@@ -42,17 +42,20 @@ class Experiment {
   /// @throw RunFailure as advance().
   void observe_step();
   bool finished() const { return finished_; }
-  /// See ErrorControl; while the first run goes on.
-  std::optional<Resolution> second_resolution() const { return control_.second_resolution(); }
+  /// See ErrorControl.
+  std::vector<Resolution> later_resolutions() const { return control_.later_resolutions(); }
 
   /// The values of quantities(), in their order.
   YAML::Node result() const;
 
   const Scene& scene() const { return scene_; }
-  /// The present run, at the end the accurate one.
+  /// The present run, at the end the finest one.
   const Run& run() const { return *run_; }
   double estimated_error() const { return control_.estimated_error(); }
-  Restitution restitution() const;
+  /// Of a collision, at the end.
+  const ImpactAnswer& impact() const { return control_.answer(); }
+  /// Of the present run.
+  Restitution restitution_of_run() const;
   Strain strain() const { return strain_meter_.measure(run_->disk_state().position); }
   /// What numerics.error is about: ξ of a contact, e of a collision.
   double answer() const;

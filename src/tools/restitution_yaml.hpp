@@ -1,32 +1,17 @@
 #pragma once
 
-#include <array>
-#include <utility>
+#include <string>
 
+#include "measure/impact_answer.hpp"
 #include "scene/parameter_table.hpp"
 
 namespace impact {
 
-/// The names in results of what an impact did. `Numbers` is impact::Restitution or the message of
-/// that name.
+/// Adds what an impact did to a result, to the last bit; `suffix` follows the name of each number.
 template <class Numbers>
-constexpr auto restitution_keys() {
-  using Key = std::pair<const char*, double Numbers::*>;
-  return std::array<Key, 8>{{{"restitution", &Numbers::restitution},
-                             {"tangential_velocity_after", &Numbers::tangential_velocity_after},
-                             {"spin_after", &Numbers::spin_after},
-                             {"contact_begin", &Numbers::contact_begin},
-                             {"contact_end", &Numbers::contact_end},
-                             {"contact_duration", &Numbers::contact_duration},
-                             {"peak_force", &Numbers::peak_force},
-                             {"impulse", &Numbers::impulse}}};
-}
-
-/// Adds what an impact did to a result, to the last bit.
-template <class Numbers>
-void add_restitution(const Numbers& numbers, YAML::Node& result) {
-  for (const auto& [key, member] : restitution_keys<Numbers>()) {
-    result[key] = exact(numbers.*member);
+void add_impact(const Numbers& numbers, const std::string& suffix, YAML::Node& result) {
+  for (const auto& [key, member] : impact_numbers<Numbers>()) {
+    result[key + suffix] = exact(numbers.*member);
   }
 }
 

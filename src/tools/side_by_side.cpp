@@ -55,7 +55,7 @@ struct Candidate {
   EquilibriumSearch* search = nullptr;
   std::deque<Ride> rides{};
   Ride* present = nullptr;  ///< of the experiment's run
-  Ride* ahead = nullptr;    ///< of the run that will be asked for next; nullptr: none
+  std::deque<Ride*> ahead{};  ///< of the runs that will be asked for next, in their order
   std::unique_ptr<Experiment> experiment{};
   double wall_time = 0.0;  ///< s
   std::string failure{};   ///< why it cannot go on
@@ -188,7 +188,8 @@ class SideBySide {
     double longest = 0.0;
     for (const Candidate& candidate : candidates_) {
       const double steps = expected_steps(*candidate.composition);
-      const double runs = scenes_[candidate.place].numerics.are_given() ? 1.0 : 2.0;
+      const double runs =
+          scenes_[candidate.place].numerics.are_given() ? 1.0 : kStepsOfAllRuns;
       all += runs * steps;
       longest = std::max(longest, steps);
     }
@@ -226,7 +227,7 @@ class SideBySide {
     return true;
   }
 
-  /// Sets out for the first run and, as far as it is foreseen, already for the second.
+  /// Sets out for the first run and for those after it, as far as they are foreseen.
   void start(Candidate& candidate) {
     const auto begin = Clock::now();
     candidate.experiment =
@@ -234,16 +235,17 @@ class SideBySide {
                                      [this, &candidate](const Resolution& resolution) {
                                        return next_run(candidate, resolution);
                                      });
-    if (const auto second = candidate.experiment->second_resolution()) {
-      candidate.ahead = &new_ride(candidate, *second);
+    for (const Resolution& later : candidate.experiment->later_resolutions()) {
+      candidate.ahead.push_back(&new_ride(candidate, later));
     }
     candidate.wall_time += seconds_since(begin);
   }
 
   Ride& new_ride(Candidate& candidate, const Resolution& resolution) {
     const Composition& composition = *candidate.composition;
-    auto motion = std::make_unique<LaneMotion>(composition.field, composition.initial,
-                                               composition.rates.lattice, resolution.step);
+    auto motion =
+        std::make_unique<LaneMotion>(composition.field, start_of(composition, resolution),
+                                     composition.rates.lattice, resolution.step);
     LaneMotion* const in_lane = motion.get();
     Run run(scenes_[candidate.place], candidate.composition, resolution, std::move(motion));
     candidate.rides.push_back({&candidate, resolution, in_lane, std::move(run)});
@@ -253,20 +255,23 @@ class SideBySide {
 
   /// The run that the experiment asks for: the one that went ahead, or else a new one.
   Run next_run(Candidate& candidate, const Resolution& resolution) {
-    if (candidate.ahead != nullptr && !(candidate.ahead->resolution == resolution)) {
+    if (!candidate.ahead.empty() && !(candidate.ahead.front()->resolution == resolution)) {
       cancel(candidate);
     }
-    candidate.present =
-        candidate.ahead != nullptr ? candidate.ahead : &new_ride(candidate, resolution);
-    candidate.ahead = nullptr;
+    if (candidate.ahead.empty()) {
+      candidate.present = &new_ride(candidate, resolution);
+    } else {
+      candidate.present = candidate.ahead.front();
+      candidate.ahead.pop_front();
+    }
     Run run = std::move(*candidate.present->run);
     candidate.present->run.reset();
     return run;
   }
 
   static void cancel(Candidate& candidate) {
-    if (candidate.ahead != nullptr) candidate.ahead->cancelled = true;
-    candidate.ahead = nullptr;
+    for (Ride* const ride : candidate.ahead) ride->cancelled = true;
+    candidate.ahead.clear();
   }
 
   void wait(Ride& ride) { waiting_[company_of(ride)].push_back(&ride); }

@@ -64,7 +64,7 @@ TEST_F(RunSeries, GivesTheResultsOfTheSingleExperiments) {
   for (const Row& row : rows) {
     Experiment experiment(row.scene);
     while (!experiment.finished()) experiment.advance();
-    EXPECT_EQ(row.results.at("restitution"), experiment.restitution().restitution);
+    EXPECT_EQ(row.results.at("restitution"), experiment.impact().value.restitution);
     EXPECT_EQ(row.results.at("steps"), experiment.run().state().step);
     EXPECT_TRUE(std::isnan(row.results.at("integrator")));
     EXPECT_EQ(row.flags.empty(), experiment.run().flags().empty());

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "measure/impact_analysis.hpp"
+
+namespace impact {
+
+/// The numbers of an impact that have an error of their own, by their names. `Numbers` is
+/// Restitution or a message with such fields.
+template <class Numbers>
+constexpr auto impact_numbers() {
+  using Number = std::pair<const char*, double Numbers::*>;
+  return std::array<Number, 8>{{{"restitution", &Numbers::restitution},
+                                {"tangential_velocity_after", &Numbers::tangential_velocity_after},
+                                {"spin_after", &Numbers::spin_after},
+                                {"contact_begin", &Numbers::contact_begin},
+                                {"contact_end", &Numbers::contact_end},
+                                {"contact_duration", &Numbers::contact_duration},
+                                {"peak_force", &Numbers::peak_force},
+                                {"impulse", &Numbers::impulse}}};
+}
+
+/// What an impact did to the disk, as all its runs together say.
+struct ImpactAnswer {
+  Restitution value;
+  Restitution error;  ///< of each number, in its unit; NaN: not known
+  /// How far e of the states of the last run may be from the true one; NaN: not known.
+  double error_of_run = std::numeric_limits<double>::quiet_NaN();
+};
+
+}  // namespace impact

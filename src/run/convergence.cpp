@@ -1,0 +1,66 @@
+#include "run/convergence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace impact {
+namespace {
+
+constexpr double kBelow = 0.25;  // of a power
+constexpr double kAbove = 0.5;
+
+/// (v₁ − v₂)/(v₂ − v₃) of values with the error hᵖ.
+double ratio_of_order(const Sample& coarse, const Sample& middle, const Sample& fine, double p) {
+  const double fine_power = std::pow(fine.step, p);
+  const double middle_power = std::pow(middle.step, p);
+  return (std::pow(coarse.step, p) - middle_power) / (middle_power - fine_power);
+}
+
+bool shows_order(const Sample& coarse, const Sample& middle, const Sample& fine, int order) {
+  const double observed = (coarse.value - middle.value) / (middle.value - fine.value);
+  const auto is_between = [&](double low, double high) {
+    return observed >= ratio_of_order(coarse, middle, fine, low) &&
+           observed <= ratio_of_order(coarse, middle, fine, high);
+  };
+  return is_between(order - kBelow, order + kAbove) ||
+         is_between(order + 2 - kAbove, order + 2 + kAbove);
+}
+
+}  // namespace
+
+ConvergedValue extrapolated(const Sample& coarse, const Sample& middle, const Sample& fine, int order) {
+  struct Pair {
+    double limit;  ///< of v∞ + A hᵖ
+    double rest;   ///< what B hᵖ⁺² adds to it, for B = 1
+  };
+  const auto eliminate = [order](const Sample& a, const Sample& b) {
+    const double a_power = std::pow(a.step, order);
+    const double b_power = std::pow(b.step, order);
+    const double over = a_power - b_power;
+    return Pair{b.value + (b.value - a.value) * b_power / over,
+                a_power * b_power * (b.step * b.step - a.step * a.step) / over};
+  };
+  const Pair first = eliminate(coarse, middle);
+  const Pair second = eliminate(middle, fine);
+  const double correction =
+      (second.limit - first.limit) * second.rest / (first.rest - second.rest);
+  return {second.limit + correction, kExtrapolationMargin * std::abs(correction)};
+}
+
+ConvergedValue compared(const std::vector<Sample>& runs) {
+  const auto [least, most] =
+      std::minmax_element(runs.begin(), runs.end(),
+                          [](const Sample& a, const Sample& b) { return a.value < b.value; });
+  const double coarseness = runs.front().step / runs.back().step - 1.0;
+  return {runs.back().value, kPlainMargin * (most->value - least->value) / coarseness};
+}
+
+ConvergedValue converged(const std::vector<Sample>& runs, std::optional<int> order) {
+  const ConvergedValue plain = compared(runs);
+  const Sample* const finest = &runs.back();
+  if (!order || !shows_order(finest[-2], finest[-1], finest[0], *order)) return plain;
+  const ConvergedValue limit = extrapolated(finest[-2], finest[-1], finest[0], *order);
+  return limit.error <= plain.error ? limit : plain;
+}
+
+}  // namespace impact

@@ -1,0 +1,133 @@
+#include "run/convergence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+namespace impact {
+namespace {
+
+using Law = std::function<double(double)>;
+
+/// Runs with steps 1.2 times shorter each, from coarse to fine; the true value is 1.
+std::vector<Sample> runs_of(const Law& error, int count, double finest = 0.01) {
+  std::vector<Sample> runs;
+  for (int k = count - 1; k >= 0; --k) {
+    const double step = finest * std::pow(1.2, k);
+    runs.push_back({step, 1.0 + error(step)});
+  }
+  return runs;
+}
+
+double true_error(const ConvergedValue& result) { return std::abs(result.value - 1.0); }
+
+/// Both powers are taken out, to rounding; 10⁻¹⁶ grows to some 10⁻¹⁵ by the weights of the runs.
+TEST(Extrapolated, IsExactForTwoPowers) {
+  for (const int order : {2, 6}) {
+    const auto runs = runs_of(
+        [order](double h) { return 3.0 * std::pow(h, order) - 70.0 * std::pow(h, order + 2); }, 3);
+    EXPECT_NEAR(extrapolated(runs[0], runs[1], runs[2], order).value, 1.0, 1e-14);
+  }
+}
+
+/// The true error is of the power after next, the estimate of the next: ten times the step makes it
+/// grow by 10⁴ for order 2.
+TEST(Extrapolated, EstimatesByTheNextPower) {
+  const auto result = [](double finest) {
+    const auto runs = runs_of(
+        [](double h) { return h * h + std::pow(h, 4) + std::pow(h, 6); }, 3, finest);
+    return extrapolated(runs[0], runs[1], runs[2], 2);
+  };
+  EXPECT_NEAR(result(0.1).error / result(0.01).error, 1e4, 1e3);
+  EXPECT_NEAR(true_error(result(0.1)) / true_error(result(0.03)), std::pow(10.0 / 3.0, 6), 20.0);
+  EXPECT_LT(true_error(result(0.1)), result(0.1).error);
+}
+
+struct Sequence {
+  const char* name;
+  Law error;
+};
+
+class ConvergedOf : public testing::TestWithParam<Sequence> {};
+
+/// Whatever the error does, the estimate of a method of order 2 or 6 covers it.
+TEST_P(ConvergedOf, SequenceCoversItsError) {
+  for (const int order : {2, 6}) {
+    const auto result = converged(runs_of(GetParam().error, 3), order);
+    constexpr double kRounding = 1e-15;
+    EXPECT_LE(true_error(result), result.error + kRounding) << "order " << order;
+    EXPECT_LE(result.error, 30.0 * std::abs(GetParam().error(0.0144))) << GetParam().name;
+  }
+}
+
+/// 4.0 h² − h⁴ … in units of the finest step: equal errors of the two coarser runs, of all but the
+/// middle one, and of the two finer ones.
+Law with_turning_point(double squared) {
+  return [squared](double h) {
+    const double x = h * h / 1e-4;
+    return 1e-5 * (squared * x - x * x);
+  };
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Error, ConvergedOf,
+    testing::Values(Sequence{"right order", [](double h) { return 0.1 * h * h; }},
+                    Sequence{"sixth order", [](double h) { return 1e6 * std::pow(h, 6); }},
+                    Sequence{"a little less than order 2",
+                             [](double h) { return 0.1 * std::pow(h, 1.8); }},
+                    Sequence{"less than order 6",
+                             [](double h) { return 1e6 * std::pow(h, 5.8); }},
+                    Sequence{"third power beside the second",
+                             [](double h) { return 0.1 * h * h + 3.0 * h * h * h; }},
+                    Sequence{"third order", [](double h) { return 10.0 * h * h * h; }},
+                    Sequence{"first order", [](double h) { return 0.1 * h; }},
+                    Sequence{"half order", [](double h) { return 0.1 * std::sqrt(h); }},
+                    Sequence{"cancelling, coarse", with_turning_point(3.5136)},
+                    Sequence{"cancelling, middle", with_turning_point(2.88)},
+                    Sequence{"cancelling, fine", with_turning_point(2.44)}),
+    [](const auto& info) {
+      std::string name;
+      for (const char c : std::string(info.param.name)) name += std::isalnum(c) ? c : '_';
+      return name;
+    });
+
+/// Values that scatter by as much as ±1, whatever the step, in a thousand draws. Four that agree by
+/// chance to a tenth of it come up in one of a thousand; three, of which an order may be seen, can
+/// mislead in one of thirty: where values scatter, four are compared and no order is looked for.
+TEST(Converged, ScatterIsSeldomTakenForAgreement) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> scatter(-1.0, 1.0);
+  constexpr int kDraws = 1000;
+  int wrong_of_three = 0;
+  int wrong_of_four = 0;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    const auto runs = runs_of([&](double /*h*/) { return scatter(random); }, 4);
+    const auto four = converged(runs, std::nullopt);
+    wrong_of_four += true_error(four) > four.error ? 1 : 0;
+    const auto three = converged({runs.begin() + 1, runs.end()}, 2);
+    wrong_of_three += true_error(three) > three.error ? 1 : 0;
+  }
+  EXPECT_LE(wrong_of_four, kDraws / 100);
+  EXPECT_LE(wrong_of_three, kDraws / 10);
+}
+
+/// An order that the runs do not show is not used: the answer is that of the finest run.
+TEST(Converged, DoesNotExtrapolateByAnOrderThatIsNotSeen) {
+  const auto first = runs_of([](double h) { return 0.1 * h; }, 3);
+  EXPECT_EQ(converged(first, 2).value, first.back().value);
+  const auto second = runs_of([](double h) { return 0.1 * h * h; }, 3);
+  EXPECT_EQ(converged(second, 6).value, second.back().value);
+  EXPECT_EQ(converged(second, std::nullopt).value, second.back().value);
+  EXPECT_NE(converged(second, 2).value, second.back().value);
+}
+
+TEST(Converged, OfEqualRunsHasNoError) {
+  const auto runs = runs_of([](double /*h*/) { return 0.0; }, 3);
+  EXPECT_EQ(converged(runs, 2).value, 1.0);
+  EXPECT_EQ(converged(runs, 2).error, 0.0);
+}
+
+}  // namespace
+}  // namespace impact
