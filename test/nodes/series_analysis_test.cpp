@@ -50,9 +50,13 @@ std::vector<Message> messages_of(const Scene& scene, std::uint32_t number) {
   messages.emplace_back(lattice);
   messages.emplace_back(status_of(scene, number, 0, lattice_impact::RunStatus::RUNNING));
   std::uint32_t sequence = 0;
+  ImpactAnalysis analysis;
   const auto send = [&] {
+    const ContactReport report = run.take_contact_reports().on_disk;
+    analysis.add(run.state());
+    analysis.add(report);
     lattice_impact::ParticleStates states = to_message(run.state());
-    lattice_impact::ContactForces forces = to_message(run.take_contact_reports().on_disk);
+    lattice_impact::ContactForces forces = to_message(report);
     states.run = forces.run = number;
     states.sequence = forces.sequence = sequence++;
     messages.emplace_back(states);
@@ -63,7 +67,12 @@ std::vector<Message> messages_of(const Scene& scene, std::uint32_t number) {
     run.advance();
     send();
   }
-  messages.emplace_back(status_of(scene, number, sequence, lattice_impact::RunStatus::FINISHED));
+  lattice_impact::RunStatus end =
+      status_of(scene, number, sequence, lattice_impact::RunStatus::FINISHED);
+  end.answer = numbers_to_message(analysis.restitution(true));
+  end.answer_error = numbers_to_message({});
+  end.restitution_of_run_error = Restitution::kNaN;
+  messages.emplace_back(end);
   return messages;
 }
 
@@ -113,6 +122,42 @@ TEST(SeriesAnalysis, OfMessagesEqualsTheDirectOne) {
   EXPECT_EQ(listener.results[1].complete, 1);
   EXPECT_EQ(listener.results[1].restitution, direct_restitution(scene));
   EXPECT_TRUE(listener.problems.empty());
+}
+
+/// The simulation's answer is drawn from several runs. It is handed on, with its errors, beside what
+/// the states of this run say; where those are further off than the errors allow, it is flagged.
+TEST(SeriesAnalysis, HoldsTheAnswerAgainstTheStates) {
+  const Scene scene = small_scene(SceneKind::kCollision);
+  const double of_run = direct_restitution(scene);
+  for (const bool agrees : {true, false}) {
+    std::vector<Message> messages = messages_of(scene, 0);
+    auto& end = std::get<lattice_impact::RunStatus>(messages.back());
+    end.answer.restitution = of_run - 1e-5;
+    end.answer_error.restitution = 1e-6;
+    end.answer.peak_force = 0.125;
+    end.restitution_of_run_error = agrees ? 1.1e-5 : 0.9e-5;
+    Listener listener;
+    listener.hear(messages);
+    const lattice_impact::Restitution& result = listener.results.back();
+    EXPECT_EQ(result.restitution, of_run - 1e-5);
+    EXPECT_EQ(result.error.restitution, 1e-6);
+    EXPECT_EQ(result.peak_force, 0.125);
+    EXPECT_DOUBLE_EQ(result.velocity_after, 0.05 * (of_run - 1e-5));
+    EXPECT_EQ(result.restitution_of_run, of_run);
+    EXPECT_EQ(result.restitution_of_run_error, end.restitution_of_run_error);
+    const std::vector<std::string> flags(agrees ? 0 : 1, "disagrees");
+    EXPECT_EQ(result.flags, flags);
+    EXPECT_EQ(listener.closed[0].answer, of_run - 1e-5);
+  }
+}
+
+/// Where the simulation knows no error, the states have its answer to the last bit.
+TEST(SeriesAnalysis, FlagsAnyDifferenceFromAnAnswerWithoutError) {
+  std::vector<Message> messages = messages_of(small_scene(SceneKind::kCollision), 0);
+  std::get<lattice_impact::RunStatus>(messages.back()).answer.restitution += 1e-15;
+  Listener listener;
+  listener.hear(messages);
+  EXPECT_EQ(listener.results.back().flags, std::vector<std::string>{"disagrees"});
 }
 
 /// Topics have no order among each other: all of one topic, then all of the next.
