@@ -207,13 +207,12 @@ void ErrorControl::refine_by_estimate(const FinishedImpact& run) {
   }
   const double excess = 2.0 * estimated_error_ / scene_.numerics.error;
   const bool is_extrapolated = answer_.value.restitution != runs_.back().measured.restitution;
-  if (is_extrapolated) {
-    refine(std::clamp(std::pow(excess, 1.0 / (order_of(resolution_.integrator) + 2)), kRefinement,
-                      kMostRefinement));
-  } else {
-    const double order = adaptive ? 4.0 : order_of(resolution_.integrator);
-    refine(std::clamp(std::pow(excess, 1.0 / order), kRefinement, kMostBlindRefinement));
-  }
+  const double power = adaptive          ? kToleranceOrder
+                       : is_extrapolated ? order_of(resolution_.integrator) + 2
+                                         : order_of(resolution_.integrator);
+  const double factor = std::max(kRefinement, std::pow(excess, 1.0 / power));
+  if (go_over(resolution_.step / factor)) return;
+  refine(std::min(factor, is_extrapolated ? kMostRefinement : kMostBlindRefinement));
 }
 
 bool ErrorControl::accepts_contact(const Run& run) {
@@ -241,13 +240,17 @@ void ErrorControl::take_failure(const RunFailure& failure) {
   refine(2.0);
 }
 
+/// To a method of higher order, if it costs less than this step (R/c) of the present one.
+bool ErrorControl::go_over(double step) {
+  const auto better = better_integrator(scene_, resolution_, step, rates_);
+  if (!better) return false;
+  last_estimate_ = std::numeric_limits<double>::infinity();
+  plan(*better);
+  return true;
+}
+
 void ErrorControl::refine(double factor) {
-  const double step = resolution_.step / factor;
-  if (const auto better = better_integrator(scene_, resolution_, step, rates_)) {
-    last_estimate_ = std::numeric_limits<double>::infinity();
-    plan(*better);
-    return;
-  }
+  if (go_over(resolution_.step / factor)) return;
   resolution_ = finer(scene_, resolution_, factor);
   if (is_adaptive(resolution_.integrator)) {
     if (resolution_.tolerance < kLeastTolerance) {

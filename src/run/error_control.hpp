@@ -100,6 +100,7 @@ class ErrorControl {
   void plan(const Resolution& finest);
   void go_on(double factor);
   void refine(double factor);
+  bool go_over(double step);
   bool accepts_contact(const Run& run);
   bool starts_too_near(const FinishedImpact& run);
   void note_manners(const FinishedImpact& run);

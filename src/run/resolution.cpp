@@ -25,8 +25,6 @@ constexpr double kReportInterval = 0.02;     // R/c, of adaptive integrators
 constexpr double kRestReportInterval = 0.5;  // where a contact comes to rest
 /// Where a contact comes to rest does not depend on how it came there.
 constexpr double kRestTolerance = 1e-3;
-/// Tolerances go with this power of the factor by which steps would be shortened.
-constexpr int kToleranceOrder = 4;
 /// Estimated relative error of e, extrapolated from steps of order 2, over (a v h)⁴ of the shortest,
 /// as measured on the default disk at 0.05 and 0.1 c without damping, and at 0.05 c with η* = 1 …
 /// 100.

@@ -50,6 +50,8 @@ double step_limit(IntegratorKind integrator, double omega_squared, double gamma)
 /// Order of a method of fixed step.
 int order_of(IntegratorKind integrator);
 
+/// Tolerances go with this power of the factor by which steps would be shortened.
+constexpr int kToleranceOrder = 4;
 /// The steps of successive runs of an answer are shorter by this factor at least.
 constexpr double kRefinement = 1.2;
 /// Steps of the three runs of an answer over those of the last one.
@@ -82,7 +84,7 @@ std::optional<Resolution> better_integrator(const Scene& scene, const Resolution
                                             double step, const Rates& rates);
 
 /// The next finer resolution of the same integrator: its step shorter by this factor at least, or
-/// its tolerance smaller by its power of 4.
+/// its tolerance smaller by its power of kToleranceOrder.
 Resolution finer(const Scene& scene, const Resolution& resolution, double factor);
 
 /// The longest step not above `value` (R/c) that is a multiple of 0.02 R/c, at least `unit`, or a
