@@ -174,9 +174,8 @@ void SeriesAnalysis::report_closed(const Run& run, std::uint32_t number, bool co
   closed.scene = *run.scene;
   closed.flags = run.status->flags;
   if (complete) {
-    closed.answer = run.scene->kind == SceneKind::kContact
-                        ? run.last_strain.strain
-                        : run.status->answer.restitution;
+    closed.answer = run.scene->kind == SceneKind::kContact ? run.last_strain.strain
+                                                           : run.status->answer.restitution;
   }
   outputs_.closed(closed);
 }

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "measure/impact_analysis.hpp"
 #include "nodes/data_streams.hpp"
 #include "nodes/node_parameters.hpp"
 #include "nodes/readers.hpp"
 #include "nodes/viewer.hpp"
-#include "measure/impact_analysis.hpp"
 #include "run/error_control.hpp"
 #include "run/run.hpp"
 #include "scene/scene.hpp"

@@ -28,7 +28,8 @@ bool shows_order(const Sample& coarse, const Sample& middle, const Sample& fine,
 
 }  // namespace
 
-ConvergedValue extrapolated(const Sample& coarse, const Sample& middle, const Sample& fine, int order) {
+ConvergedValue extrapolated(const Sample& coarse, const Sample& middle, const Sample& fine,
+                            int order) {
   struct Pair {
     double limit;  ///< of v∞ + A hᵖ
     double rest;   ///< what B hᵖ⁺² adds to it, for B = 1
@@ -42,15 +43,13 @@ ConvergedValue extrapolated(const Sample& coarse, const Sample& middle, const Sa
   };
   const Pair first = eliminate(coarse, middle);
   const Pair second = eliminate(middle, fine);
-  const double correction =
-      (second.limit - first.limit) * second.rest / (first.rest - second.rest);
+  const double correction = (second.limit - first.limit) * second.rest / (first.rest - second.rest);
   return {second.limit + correction, kExtrapolationMargin * std::abs(correction)};
 }
 
 ConvergedValue compared(const std::vector<Sample>& runs) {
-  const auto [least, most] =
-      std::minmax_element(runs.begin(), runs.end(),
-                          [](const Sample& a, const Sample& b) { return a.value < b.value; });
+  const auto [least, most] = std::minmax_element(
+      runs.begin(), runs.end(), [](const Sample& a, const Sample& b) { return a.value < b.value; });
   const double coarseness = runs.front().step / runs.back().step - 1.0;
   return {runs.back().value, kPlainMargin * (most->value - least->value) / coarseness};
 }

@@ -26,7 +26,8 @@ constexpr double kExtrapolationMargin = 2.0;
 /// The limit of v∞ + A hᵖ + B hᵖ⁺² through three runs, with the error
 ///   2 |v∞ − v∞′|,  v∞′: the limit of v∞ + A hᵖ through the finer two.
 /// p: the order of a method whose error has powers p, p + 2, … of the step.
-ConvergedValue extrapolated(const Sample& coarse, const Sample& middle, const Sample& fine, int order);
+ConvergedValue extrapolated(const Sample& coarse, const Sample& middle, const Sample& fine,
+                            int order);
 
 /// The value of the finest run with an error that holds for order 1 and more:
 ///   3 max |vᵢ − vⱼ|/(h_coarsest/h_finest − 1).
@@ -35,8 +36,8 @@ ConvergedValue compared(const std::vector<Sample>& runs);
 
 /// What at least three runs, from coarse to fine, say of a number. With an order: extrapolated(),
 /// by the finest three, if they show that order p or, where its error happens to vanish, the next
-/// one, by an observed order of p − 0.25 … p + 0.5 or p + 1.5 … p + 2.5. Otherwise, or if that is the
-/// smaller error, compared().
+/// one, by an observed order of p − 0.25 … p + 0.5 or p + 1.5 … p + 2.5. Otherwise, or if that is
+/// the smaller error, compared().
 ConvergedValue converged(const std::vector<Sample>& runs, std::optional<int> order);
 
 }  // namespace impact

@@ -145,8 +145,7 @@ bool ErrorControl::starts_too_near(const FinishedImpact& run) {
   const double most = kMostTail * scene_.numerics.error;
   if (scene_.impact.gap || run.tail_error <= most) return false;
   Resolution finest = planned_.empty() ? resolution_ : planned_.front();
-  finest.lift +=
-      on_whole_resets(scene_, std::log(2.0 * run.tail_error / most) / scene_.wall.a);
+  finest.lift += on_whole_resets(scene_, std::log(2.0 * run.tail_error / most) / scene_.wall.a);
   plan(finest);
   return true;
 }

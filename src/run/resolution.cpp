@@ -25,9 +25,9 @@ constexpr double kReportInterval = 0.02;     // R/c, of adaptive integrators
 constexpr double kRestReportInterval = 0.5;  // where a contact comes to rest
 /// Where a contact comes to rest does not depend on how it came there.
 constexpr double kRestTolerance = 1e-3;
-/// Estimated relative error of e, extrapolated from steps of order 2, over (a v h)⁴ of the shortest,
-/// as measured on the default disk at 0.05 and 0.1 c without damping, and at 0.05 c with η* = 1 …
-/// 100.
+/// Estimated relative error of e, extrapolated from steps of order 2, over (a v h)⁴ of the
+/// shortest, as measured on the default disk at 0.05 and 0.1 c without damping, and at 0.05 c with
+/// η* = 1 … 100.
 constexpr double kExtrapolatedError = 2.4e-4;
 constexpr double kExtrapolatedDampedError = 3e-5;
 /// Of a v h: the step up to which methods show their order.

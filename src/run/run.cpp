@@ -39,8 +39,7 @@ std::unique_ptr<Motion> make_motion(const Scene& scene, const Composition& compo
   if (scene.is_static()) return make_search(scene, composition);
   return std::make_unique<Simulation>(
       composition.field, start_of(composition, resolution), composition.rates.lattice,
-      resolution.step,
-      make_integrator(scene, resolution, composition.rates.sound_speed));
+      resolution.step, make_integrator(scene, resolution, composition.rates.sound_speed));
 }
 
 }  // namespace

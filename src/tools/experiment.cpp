@@ -42,9 +42,8 @@ std::vector<Quantity> impact_quantities(const Scene& scene) {
         number(key, [member = member](const auto& e) { return e.impact().value.*member; }));
   }
   for (const auto& [key, member] : impact_numbers<Restitution>()) {
-    list.push_back(number(std::string(key) + "_error", [member = member](const auto& e) {
-      return e.impact().error.*member;
-    }));
+    list.push_back(number(std::string(key) + "_error",
+                          [member = member](const auto& e) { return e.impact().error.*member; }));
   }
   list.push_back(number("restitution_of_run",
                         [](const auto& e) { return e.restitution_of_run().restitution; }));

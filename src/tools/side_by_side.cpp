@@ -54,7 +54,7 @@ struct Candidate {
   std::shared_ptr<const Composition> composition;
   EquilibriumSearch* search = nullptr;
   std::deque<Ride> rides{};
-  Ride* present = nullptr;  ///< of the experiment's run
+  Ride* present = nullptr;    ///< of the experiment's run
   std::deque<Ride*> ahead{};  ///< of the runs that will be asked for next, in their order
   std::unique_ptr<Experiment> experiment{};
   double wall_time = 0.0;  ///< s
@@ -188,8 +188,7 @@ class SideBySide {
     double longest = 0.0;
     for (const Candidate& candidate : candidates_) {
       const double steps = expected_steps(*candidate.composition);
-      const double runs =
-          scenes_[candidate.place].numerics.are_given() ? 1.0 : kStepsOfAllRuns;
+      const double runs = scenes_[candidate.place].numerics.are_given() ? 1.0 : kStepsOfAllRuns;
       all += runs * steps;
       longest = std::max(longest, steps);
     }
@@ -243,9 +242,8 @@ class SideBySide {
 
   Ride& new_ride(Candidate& candidate, const Resolution& resolution) {
     const Composition& composition = *candidate.composition;
-    auto motion =
-        std::make_unique<LaneMotion>(composition.field, start_of(composition, resolution),
-                                     composition.rates.lattice, resolution.step);
+    auto motion = std::make_unique<LaneMotion>(composition.field, start_of(composition, resolution),
+                                               composition.rates.lattice, resolution.step);
     LaneMotion* const in_lane = motion.get();
     Run run(scenes_[candidate.place], candidate.composition, resolution, std::move(motion));
     candidate.rides.push_back({&candidate, resolution, in_lane, std::move(run)});

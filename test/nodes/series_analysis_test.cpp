@@ -124,8 +124,9 @@ TEST(SeriesAnalysis, OfMessagesEqualsTheDirectOne) {
   EXPECT_TRUE(listener.problems.empty());
 }
 
-/// The simulation's answer is drawn from several runs. It is handed on, with its errors, beside what
-/// the states of this run say; where those are further off than the errors allow, it is flagged.
+/// The simulation's answer is drawn from several runs. It is handed on, with its errors, beside
+/// what the states of this run say; where those are further off than the errors allow, it is
+/// flagged.
 TEST(SeriesAnalysis, HoldsTheAnswerAgainstTheStates) {
   const Scene scene = small_scene(SceneKind::kCollision);
   const double of_run = direct_restitution(scene);

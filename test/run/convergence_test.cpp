@@ -36,8 +36,8 @@ TEST(Extrapolated, IsExactForTwoPowers) {
 /// grow by 10⁴ for order 2.
 TEST(Extrapolated, EstimatesByTheNextPower) {
   const auto result = [](double finest) {
-    const auto runs = runs_of(
-        [](double h) { return h * h + std::pow(h, 4) + std::pow(h, 6); }, 3, finest);
+    const auto runs =
+        runs_of([](double h) { return h * h + std::pow(h, 4) + std::pow(h, 6); }, 3, finest);
     return extrapolated(runs[0], runs[1], runs[2], 2);
   };
   EXPECT_NEAR(result(0.1).error / result(0.01).error, 1e4, 1e3);
@@ -77,8 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Sequence{"sixth order", [](double h) { return 1e6 * std::pow(h, 6); }},
                     Sequence{"a little less than order 2",
                              [](double h) { return 0.1 * std::pow(h, 1.8); }},
-                    Sequence{"less than order 6",
-                             [](double h) { return 1e6 * std::pow(h, 5.8); }},
+                    Sequence{"less than order 6", [](double h) { return 1e6 * std::pow(h, 5.8); }},
                     Sequence{"third power beside the second",
                              [](double h) { return 0.1 * h * h + 3.0 * h * h * h; }},
                     Sequence{"third order", [](double h) { return 10.0 * h * h * h; }},

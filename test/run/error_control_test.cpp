@@ -43,9 +43,7 @@ struct Play {
     }
   }
 
-  double true_error() const {
-    return std::abs(control.answer().value.restitution / kTrue - 1.0);
-  }
+  double true_error() const { return std::abs(control.answer().value.restitution / kTrue - 1.0); }
 
   ErrorControl control;
   std::vector<double> steps;
@@ -107,8 +105,7 @@ TEST(ErrorControl, SeesNoOrderInStepsTooLongForTheWall) {
   const Play resolved(scene, {[](double h) { return 1e4 * std::pow(h, 6); }});
   const double finest = resolved.steps.back();
   EXPECT_LE(scene.wall.a * scene.impact.velocity * resolved.steps.front(), 0.5);
-  EXPECT_NE(resolved.control.answer().value.restitution,
-            kTrue * (1.0 + 1e4 * std::pow(finest, 6)));
+  EXPECT_NE(resolved.control.answer().value.restitution, kTrue * (1.0 + 1e4 * std::pow(finest, 6)));
 }
 
 /// Scatter above the wanted error ends with its cause, hardly ever with an answer.
