@@ -15,6 +15,12 @@ namespace {
 /// way whatever the wanted error.
 constexpr double kApproach = 0.5;
 
+/// A disk of few points may turn nearly all of its energy into spin and vibrations. The energy of
+/// the wall at the start is to be negligible against what it keeps, down to e = 0.01; its steps
+/// cost little.
+constexpr Eigen::Index kFewPoints = 100;
+constexpr double kLeastKept = 1e-4;  // e²
+
 /// Of a static solution, an iteration of which counts as a step.
 constexpr Resolution kNoMotion{IntegratorKind::kNewton, 1.0, 0.0};
 
@@ -69,8 +75,9 @@ Composition compose_stretch(const Scene& scene, std::shared_ptr<const Bodies> bo
 /// there does not depend on where it starts.
 double automatic_gap(const Scene& scene, const PointArray& reference, const PotentialWall& wall) {
   const double v = scene.impact.velocity;
-  const double gap =
-      wall.height_of_energy(reference, negligible_wall_energy(scene)) + kApproach * v;
+  const double far = reference.rows() < kFewPoints ? -std::log(kLeastKept) / wall.a() : 0.0;
+  const double gap = wall.height_of_energy(reference, negligible_wall_energy(scene)) +
+                     std::max(kApproach * v, far);
   if (scene.wall.kind != WallKind::kLattice || scene.wall.boundary != Boundary::kReset) return gap;
   const double way = v * scene.wall.reset_interval;
   return way * std::ceil(gap / way);
@@ -148,8 +155,10 @@ Composition compose_on_wall(const Scene& scene, std::shared_ptr<const Bodies> bo
 }  // namespace
 
 double negligible_wall_energy(const Scene& scene) {
-  return 0.01 * scene.numerics.error * 0.5 * scene.impact.velocity * scene.impact.velocity;
+  return negligible_fraction(scene) * 0.5 * scene.impact.velocity * scene.impact.velocity;
 }
+
+double negligible_fraction(const Scene& scene) { return 0.01 * scene.numerics.error; }
 
 Composition compose(const Scene& scene, std::shared_ptr<const Bodies> bodies) {
   return scene.kind == SceneKind::kStretch ? compose_stretch(scene, std::move(bodies))

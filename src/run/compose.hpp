@@ -32,4 +32,7 @@ std::shared_ptr<const Composition> compose_shared(const Scene& scene);
 /// at the start. In M c².
 double negligible_wall_energy(const Scene& scene);
 
+/// The fraction of a kinetic energy that counts as none: numerics.error/100.
+double negligible_fraction(const Scene& scene);
+
 }  // namespace impact

@@ -61,7 +61,8 @@ Run::Run(const Scene& scene, std::shared_ptr<const Composition> composition,
       integrator_(resolution.integrator) {
   if (scene.kind != SceneKind::kCollision) return;
   const double v = scene.impact.velocity;
-  const double relative_energy = 2.0 * motion_->ledger().wall / (v * v);
+  wall_energy_before_ = motion_->ledger().wall;
+  const double relative_energy = 2.0 * wall_energy_before_ / (v * v);
   restitution_bound_ = std::sqrt(1.0 + relative_energy);
   if (relative_energy > scene.numerics.error) flags_.emplace_back("starts_in_wall");
   if (is_cut_off(scene, motion_->field())) flags_.emplace_back("cut_off");
@@ -108,6 +109,11 @@ PointArray Run::correction() const {
                             : equilibrium_correction(motion_->field(), motion_->state());
 }
 
+double Run::tail_error() const {
+  const double v = state().velocity.col(1).head(lattice().points.rows()).mean();
+  return wall_energy_before_ / (v * v) + 0.5 * negligible_fraction(scene_);
+}
+
 void Run::observe_search() {
   if (!search_->finished()) return;
   if (!search_->found()) flags_.emplace_back(end_->flag_if_given_up());
@@ -133,7 +139,7 @@ void Run::observe_step() {
   }
   if (end_->reached(*motion_)) {
     finish();
-  } else if (motion_->time() > kPatience * expected_time()) {
+  } else if (motion_->time() > kPatience * expected_time() + end_->time_under_way()) {
     flags_.emplace_back(end_->flag_if_given_up());
     finish();
   }
