@@ -133,10 +133,25 @@ InnerBounds FreeFlight::bounds(const InnerMotion& motion) const {
 
 FreeFlight::Surface FreeFlight::surface(const Motion& motion, double energy) {
   if (!bodies_->wall) return {0.0, 0.0};
-  return scene_.wall.boundary == Boundary::kFixed
-             ? clamped_surface(elongation(energy_margin(energy)))
-             : free_surface(motion.state().position.bottomRows(motion.field().wall_points),
-                            energy_margin(energy));
+  if (scene_.wall.boundary == Boundary::kFixed) {
+    return clamped_surface(elongation(energy_margin(energy)));
+  }
+  const PointArray position = motion.state().position.bottomRows(motion.field().wall_points);
+  if (wall_rests(motion, energy)) {
+    return free_surface(position, position, 2.0 * wall_kinetic_energy(motion));
+  }
+  return free_surface(bodies_->wall->lattice.points, position, energy_margin(energy));
+}
+
+bool FreeFlight::wall_rests(const Motion& motion, double energy) {
+  constexpr double kAtRest = 1e-6;
+  const bool rested = std::exchange(wall_rested_, wall_kinetic_energy(motion) < kAtRest * energy);
+  return rested && wall_rested_;
+}
+
+double FreeFlight::wall_kinetic_energy(const Motion& motion) const {
+  const auto velocity = motion.state().velocity.bottomRows(motion.field().wall_points);
+  return 0.5 * motion.field().point_mass * velocity.square().sum();
 }
 
 FreeFlight::Surface FreeFlight::clamped_surface(double elongation) const {
@@ -150,8 +165,9 @@ FreeFlight::Surface FreeFlight::clamped_surface(double elongation) const {
   return {elongation <= spacing_ ? std::min(swing, chain) : chain, 0.0};
 }
 
-FreeFlight::Surface FreeFlight::free_surface(const ConstPoints& position, double energy) {
-  const PointArray reference = about_the_centre(bodies_->wall->lattice.points);
+FreeFlight::Surface FreeFlight::free_surface(const PointArray& shape, const ConstPoints& position,
+                                             double energy) {
+  const PointArray reference = about_the_centre(shape);
   const double centre = position.col(1).mean();
   const double mass =
       static_cast<double>(reference.rows()) / static_cast<double>(reference_.rows());

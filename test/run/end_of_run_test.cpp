@@ -162,6 +162,23 @@ TEST(SeparationEnd, OfRandomDisksIsForGood) {
   }
 }
 
+/// The same above elastic walls of all boundaries; the walls of some fold, and keep energy in
+/// folds.
+TEST(SeparationEnd, OfRandomDisksAboveElasticWallsIsForGood) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    for (const Boundary boundary : {Boundary::kReset, Boundary::kFixed, Boundary::kViscous}) {
+      Scene scene = random_collision(seed);
+      scene.disk.recipe.points += 20;
+      scene.wall.kind = WallKind::kLattice;
+      scene.wall.points = 3 * scene.disk.recipe.points / 2;
+      scene.wall.boundary = boundary;
+      EndlessCollision collision(scene);
+      ASSERT_TRUE(collision.go_to_the_end()) << seed;
+      EXPECT_LT(collision.greatest_wall_energy(3.0 * collision.time()), 1.0) << seed;
+    }
+  }
+}
+
 TEST(RestEnd, IsReachedOnlyAtRest) {
   Scene scene;
   scene.kind = SceneKind::kContact;
