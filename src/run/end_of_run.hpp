@@ -29,8 +29,8 @@ class SeparationEnd : public EndOfRun {
   SeparationEnd(const Scene& scene, const Composition& composition);
   bool reached(const Motion& motion) override;
   const char* flag_if_given_up() const override { return "not_separated"; }
-  /// The time for 10 R at the smallest velocity that the disk had between its touches, or at 10⁻³ of
-  /// that before.
+  /// The time for 10 R at the smallest velocity that the disk had between its touches, or at 10⁻³
+  /// of that before.
   double time_under_way() const override { return time_under_way_; }
 
  private:

@@ -54,6 +54,11 @@ bool stays_above_turning(const PointArray& reference, const Flight& flight, cons
   return false;
 }
 
+double wall_kinetic_energy(const Motion& motion) {
+  const auto velocity = motion.state().velocity.bottomRows(motion.field().wall_points);
+  return 0.5 * motion.field().point_mass * velocity.square().sum();
+}
+
 }  // namespace
 
 bool stays_above(const PointArray& reference, const Flight& flight, const WallAbove& wall) {
@@ -61,8 +66,8 @@ bool stays_above(const PointArray& reference, const Flight& flight, const WallAb
          stays_above_turning(reference, flight, wall, -1);
 }
 
-FreeFlight::FreeFlight(const Scene& scene, std::shared_ptr<const Bodies> bodies)
-    : scene_(scene),
+FreeFlight::FreeFlight(Scene scene, std::shared_ptr<const Bodies> bodies)
+    : scene_(std::move(scene)),
       bodies_(std::move(bodies)),
       reference_(about_the_centre(bodies_->disk.points)),
       inertia_(reference_.square().sum() / static_cast<double>(reference_.rows())),
@@ -147,11 +152,6 @@ bool FreeFlight::wall_rests(const Motion& motion, double energy) {
   constexpr double kAtRest = 1e-6;
   const bool rested = std::exchange(wall_rested_, wall_kinetic_energy(motion) < kAtRest * energy);
   return rested && wall_rested_;
-}
-
-double FreeFlight::wall_kinetic_energy(const Motion& motion) const {
-  const auto velocity = motion.state().velocity.bottomRows(motion.field().wall_points);
-  return 0.5 * motion.field().point_mass * velocity.square().sum();
 }
 
 FreeFlight::Surface FreeFlight::clamped_surface(double elongation) const {

@@ -25,8 +25,8 @@ struct Flight {
 /// What a wall does to a disk above it.
 struct WallAbove {
   PotentialWall law;
-  double threshold;  ///< gap from which on nothing is felt, R
-  double limit;      ///< energy that counts as none, M c²
+  double threshold = 0.0;  ///< gap from which on nothing is felt, R
+  double limit = 0.0;      ///< energy that counts as none, M c²
 };
 
 /// Whether the wall's energy stays below the limit. The lattice is not turned by the angle φ before
@@ -81,7 +81,7 @@ struct InnerBounds {
 /// up to 0.48.
 class FreeFlight {
  public:
-  FreeFlight(const Scene& scene, std::shared_ptr<const Bodies> bodies);
+  FreeFlight(Scene scene, std::shared_ptr<const Bodies> bodies);
 
   /// Whether the wall's energy will stay below this fraction of M V²/2. False where the disk does
   /// not fly away, and where it is not sure.
@@ -99,7 +99,6 @@ class FreeFlight {
   Surface clamped_surface(double elongation) const;
   Surface free_surface(const PointArray& shape, const ConstPoints& position, double energy);
   bool wall_rests(const Motion& motion, double energy);
-  double wall_kinetic_energy(const Motion& motion) const;
   double elongation(double energy) const;
   WallAbove wall_above(const Motion& motion, double limit) const;
 
