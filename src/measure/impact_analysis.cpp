@@ -25,7 +25,7 @@ Restitution ImpactAnalysis::restitution(bool separated) const {
   result.velocity_after = latest_.velocity.y();
   result.restitution = -result.velocity_after / result.velocity_before;
   result.tangential_velocity_after = latest_.velocity.x();
-  result.spin_after = latest_.spin();
+  result.spin_after = latest_.angular_momentum / before_->moment_of_inertia;
   result.contact_end = contact_.end();
   result.contact_duration = contact_.duration();
   result.peak_force = contact_.peak_force();

@@ -16,12 +16,14 @@ struct Restitution {
   double velocity_after = kNaN;             ///< of the centre of mass along y, c
   double restitution = kNaN;                ///< e = −velocity_after/velocity_before
   double tangential_velocity_after = kNaN;  ///< of the centre of mass along x, c
-  double spin_after = kNaN;                 ///< counter-clockwise, c/R
-  double contact_begin = kNaN;              ///< R/c
-  double contact_end = kNaN;                ///< R/c
-  double contact_duration = kNaN;           ///< R/c
-  double peak_force = kNaN;                 ///< M c²/R
-  double impulse = kNaN;                    ///< of the wall along y, M c
+  /// Counter-clockwise, c/R: the angular momentum over the moment of inertia at the start, so that
+  /// the disk's vibrations do not show.
+  double spin_after = kNaN;
+  double contact_begin = kNaN;     ///< R/c
+  double contact_end = kNaN;       ///< R/c
+  double contact_duration = kNaN;  ///< R/c
+  double peak_force = kNaN;        ///< M c²/R
+  double impulse = kNaN;           ///< of the wall along y, M c
 };
 
 /// Takes the states and contact reports of one run, each in the order of time, and says what the

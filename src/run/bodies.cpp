@@ -65,9 +65,12 @@ std::shared_ptr<const Bodies> make_bodies(const Scene& scene) {
   if (wall) wall_triangles.emplace(wall->lattice);
   std::optional<Spectrum> spectrum;
   if (!scene.is_static()) spectrum = unit_spectrum(all, scene.material.eta != 0.0);
-  return std::make_shared<const Bodies>(Bodies{std::move(disk), std::move(wall),
-                                               std::move(triangles), std::move(wall_triangles),
-                                               BondForces(all, BondLaw{}), spectrum});
+  const bool flies = scene.kind == SceneKind::kCollision && !scene.is_static();
+  const Flexibility of_disk = flies ? flexibility(disk) : Flexibility{};
+  const Flexibility of_wall = flies && wall ? flexibility(wall->lattice) : Flexibility{};
+  return std::make_shared<const Bodies>(
+      Bodies{std::move(disk), std::move(wall), std::move(triangles), std::move(wall_triangles),
+             BondForces(all, BondLaw{}), spectrum, of_disk, of_wall});
 }
 
 std::string key_of_bodies(const Scene& scene) {

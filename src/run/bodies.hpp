@@ -6,6 +6,7 @@
 
 #include "lattice/lattice.hpp"
 #include "mechanics/bond_forces.hpp"
+#include "mechanics/flexibility.hpp"
 #include "mechanics/folding.hpp"
 #include "mechanics/spectrum.hpp"
 #include "run/elastic_wall_body.hpp"
@@ -22,6 +23,8 @@ struct Bodies {
   std::optional<Triangles> wall_triangles;
   BondForces bonds;                  ///< of the disk and, after it, the wall; with any constants
   std::optional<Spectrum> spectrum;  ///< of all bonds, for k_a = 1, m = 1 and η = 1
+  Flexibility flexibility{};         ///< of the disk that is thrown
+  Flexibility wall_flexibility{};
 };
 
 /// With the spectrum if the scene is one of motion, with its γ if the scene is damped.

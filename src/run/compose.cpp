@@ -146,8 +146,10 @@ Composition compose_on_wall(const Scene& scene, std::shared_ptr<const Bodies> bo
 }  // namespace
 
 double negligible_wall_energy(const Scene& scene) {
-  return 0.01 * scene.numerics.error * 0.5 * scene.impact.velocity * scene.impact.velocity;
+  return negligible_fraction(scene) * 0.5 * scene.impact.velocity * scene.impact.velocity;
 }
+
+double negligible_fraction(const Scene& scene) { return 0.01 * scene.numerics.error; }
 
 State start_of(const Composition& composition, const Resolution& resolution) {
   State start = composition.initial;

@@ -39,4 +39,7 @@ double on_whole_resets(const Scene& scene, double height);
 /// at the start. In M c².
 double negligible_wall_energy(const Scene& scene);
 
+/// The fraction of a kinetic energy that counts as none: numerics.error/100.
+double negligible_fraction(const Scene& scene);
+
 }  // namespace impact

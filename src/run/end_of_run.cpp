@@ -8,23 +8,32 @@ namespace impact {
 namespace {
 
 constexpr double kLookInterval = 1.0;  // R/c
+constexpr std::uint64_t kLookSteps = 16;
+constexpr double kLongestWay = 10.0;     // R
+constexpr double kLeastVelocity = 1e-3;  // of that before
 
 }  // namespace
 
-SeparationEnd::SeparationEnd(double negligible_energy, double sound_speed)
-    : negligible_energy_(negligible_energy), waiting_time_(5.0 / sound_speed) {}
+SeparationEnd::SeparationEnd(const Scene& scene, const Composition& composition)
+    : velocity_before_(scene.impact.velocity),
+      negligible_fraction_(negligible_fraction(scene)),
+      flight_(scene, composition.bodies) {}
 
 bool SeparationEnd::reached(const Motion& motion) {
   // The potential V₀ exp(−a y) is its force over a.
   const WallContact& wall = *motion.field().contact();
-  if (wall.total_force().y() / wall.a() > negligible_energy_) {
+  const double energy = wall.total_force().y() / wall.a();
+  if (energy > negligible_fraction_ * 0.5 * velocity_before_ * velocity_before_) {
     touched_ = true;
-    last_touch_ = motion.time();
+    return false;
   }
-  if (!touched_ || motion.time() - last_touch_ <= waiting_time_) return false;
+  if (!touched_ || motion.steps() % kLookSteps != 0) return false;
   const State& state = motion.state();
   const Eigen::Index disk = state.position.rows() - motion.field().wall_points;
-  return state.velocity.col(1).head(disk).sum() > 0.0;
+  const double v = state.velocity.col(1).head(disk).mean();
+  time_under_way_ = std::max(
+      time_under_way_, kLongestWay / std::max(std::abs(v), kLeastVelocity * velocity_before_));
+  return flight_.is_for_good(motion, negligible_fraction_);
 }
 
 RestEnd::RestEnd(const Scene& scene, Eigen::Index points, double step)
@@ -63,8 +72,7 @@ std::unique_ptr<EndOfRun> end_of_run(const Scene& scene, const Composition& comp
     return std::make_unique<RestEnd>(scene, composition.bodies->disk.points.rows(), step);
   }
   if (scene.kind == SceneKind::kStretch) return std::make_unique<StaticEnd>();
-  return std::make_unique<SeparationEnd>(negligible_wall_energy(scene),
-                                         composition.rates.sound_speed);
+  return std::make_unique<SeparationEnd>(scene, composition);
 }
 
 }  // namespace impact

@@ -4,6 +4,7 @@
 
 #include "mechanics/motion.hpp"
 #include "run/compose.hpp"
+#include "run/free_flight.hpp"
 #include "scene/scene.hpp"
 
 namespace impact {
@@ -16,22 +17,28 @@ class EndOfRun {
   virtual bool reached(const Motion& motion) = 0;
   /// The flag of a run that is given up before its end is reached.
   virtual const char* flag_if_given_up() const = 0;
+  /// What the end may take although nothing stands in its way, in R/c.
+  virtual double time_under_way() const { return 0.0; }
 };
 
-/// The disk has left the wall for good: the wall has held more than the negligible energy, has
-/// held less for a time of 5 R/c_s, longer than the period of the disk's slowest vibration, and
-/// the centre of mass moves away.
+/// The disk has left the wall for good: the wall has held more than the negligible energy of
+/// compose.hpp, and from now on its energy cannot exceed numerics.error/100 of that of the centre
+/// of mass, which moves away (see FreeFlight). Looked at every 16 steps.
 class SeparationEnd : public EndOfRun {
  public:
-  SeparationEnd(double negligible_energy, double sound_speed);
+  SeparationEnd(const Scene& scene, const Composition& composition);
   bool reached(const Motion& motion) override;
   const char* flag_if_given_up() const override { return "not_separated"; }
+  /// The time for 10 R at the smallest velocity that the disk had between its touches, or at 10⁻³
+  /// of that before.
+  double time_under_way() const override { return time_under_way_; }
 
  private:
-  double negligible_energy_;
-  double waiting_time_;
+  double velocity_before_;
+  double negligible_fraction_;
+  FreeFlight flight_;
   bool touched_ = false;
-  double last_touch_ = 0.0;
+  double time_under_way_ = 0.0;
 };
 
 /// The disk rests. Looked at once every R/c: no component of the static force on any point exceeds

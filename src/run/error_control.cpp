@@ -114,10 +114,7 @@ bool ErrorControl::accepts(const FinishedImpact& run) {
     return true;
   }
   if (run.not_separated) {
-    give_up(
-        fmt::format("the disk had not left the wall for good after {:.3g} R/c, {} times the "
-                    "expected duration",
-                    run.time, Run::kPatience));
+    give_up(fmt::format("the disk had not left the wall for good after {:.3g} R/c", run.time));
   }
   if (run.step_reduced) {
     resolution_.step = run.step;

@@ -61,8 +61,8 @@ Run::Run(const Scene& scene, std::shared_ptr<const Composition> composition,
       integrator_(resolution.integrator) {
   if (scene.kind != SceneKind::kCollision) return;
   const double v = scene.impact.velocity;
-  const double relative_energy = 2.0 * motion_->ledger().wall / (v * v);
-  energy_at_start_ = motion_->ledger().wall;
+  wall_energy_before_ = motion_->ledger().wall;
+  const double relative_energy = 2.0 * wall_energy_before_ / (v * v);
   restitution_bound_ = std::sqrt(1.0 + relative_energy);
   if (relative_energy > scene.numerics.error) flags_.emplace_back("starts_in_wall");
   if (is_cut_off(scene, motion_->field())) flags_.emplace_back("cut_off");
@@ -92,12 +92,6 @@ bool Run::has_flag(const std::string& flag) const {
   return std::find(flags_.begin(), flags_.end(), flag) != flags_.end();
 }
 
-double Run::tail_error() const {
-  const auto upwards = state().velocity.col(1).head(lattice().points.rows());
-  const double velocity = upwards.mean();
-  return (energy_at_start_ + motion_->ledger().wall) / (velocity * velocity);
-}
-
 State Run::disk_state() const {
   const Eigen::Index points = lattice().points.rows();
   return {motion_->time(), motion_->steps(), state().position.topRows(points),
@@ -113,6 +107,12 @@ State Run::wall_state() const {
 PointArray Run::correction() const {
   return search_ != nullptr ? search_->correction()
                             : equilibrium_correction(motion_->field(), motion_->state());
+}
+
+double Run::tail_error() const {
+  const double v = state().velocity.col(1).head(lattice().points.rows()).mean();
+  const double before = scene_.impact.gap ? 0.0 : wall_energy_before_;
+  return before / (v * v) + 0.5 * negligible_fraction(scene_);
 }
 
 void Run::observe_search() {
@@ -140,7 +140,7 @@ void Run::observe_step() {
   }
   if (end_->reached(*motion_)) {
     finish();
-  } else if (motion_->time() > kPatience * expected_time()) {
+  } else if (motion_->time() > kPatience * expected_time() + end_->time_under_way()) {
     flags_.emplace_back(end_->flag_if_given_up());
     finish();
   }

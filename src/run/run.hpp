@@ -19,7 +19,7 @@ namespace impact {
 /// until it is given up.
 class Run {
  public:
-  /// A run is given up after this many expected times.
+  /// A run is given up after this many expected times and EndOfRun::time_under_way().
   static constexpr double kPatience = 20.0;
 
   /// @throw InputError as compose().
@@ -83,8 +83,9 @@ class Run {
   /// Largest e that energy allows: √(1 + 2U₀/(M v²)) with the wall's energy U₀ at the start.
   double restitution_bound() const { return restitution_bound_; }
 
-  /// At the end of a collision: relative error of e that the wall's energy at the start U₀ and at
-  /// the end U may make, (U₀ + U)/(M v′²).
+  /// Relative error of e, at the end of a collision, for what the wall's potential holds at the
+  /// start, U₀ (unless impact.gap is given), and may hold after the end, numerics.error/100 of M
+  /// v′²/2: their sum over M v′², v′ the velocity of the centre of mass along y after the impact.
   double tail_error() const;
 
  private:
@@ -101,8 +102,8 @@ class Run {
   EquilibriumSearch* search_ = nullptr;  ///< the motion, if it is none
   EnergyMonitor monitor_;
   ContactRecorder recorder_;
+  double wall_energy_before_ = 0.0;
   double restitution_bound_ = 0.0;
-  double energy_at_start_ = 0.0;  ///< of the wall, M c²
   std::vector<std::string> flags_;
   IntegratorKind integrator_;
   bool finished_ = false;

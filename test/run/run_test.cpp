@@ -214,6 +214,21 @@ TEST(Collision, ThatNeverEndsIsGivenUpWithAFlag) {
   EXPECT_TRUE(run.has_flag("not_separated"));
 }
 
+/// The wall's energy before and after, relative to that of the centre of mass after the impact. A
+/// given gap is part of the question.
+TEST(Collision, KnowsTheErrorOfTheTail) {
+  Scene scene;
+  impact::Run run(scene);
+  const double before = run.motion().ledger().wall;
+  ASSERT_GT(before, 0.0);
+  const double v = finish(run).velocity_after;
+  EXPECT_NEAR(run.tail_error(), before / (v * v) + 0.005 * scene.numerics.error, 1e-15);
+  scene.impact.gap = 0.06;
+  impact::Run given(scene);
+  finish(given);
+  EXPECT_DOUBLE_EQ(given.tail_error(), 0.005 * scene.numerics.error);
+}
+
 Scene contact_scene(double load) {
   Scene scene;
   scene.kind = SceneKind::kContact;
@@ -413,7 +428,8 @@ TEST(AbsorbingWall, ImpulseIsTheChangeOfMomentum) {
   EXPECT_NEAR(result.impulse, result.velocity_after - result.velocity_before, 1e-13);
 }
 
-/// Where the energy is at the end, in parts of that at the start.
+/// Where the energy is at the end, in parts of that at the start. Waves are still on their way to
+/// the boundary when the disk is known to be gone.
 TEST(AbsorbingWall, ResetAndViscousBoundariesAbsorb) {
   const auto ledger = [](Boundary boundary) {
     impact::Run run(absorbing_wall(boundary));
@@ -429,7 +445,7 @@ TEST(AbsorbingWall, ResetAndViscousBoundariesAbsorb) {
   EXPECT_EQ(fixed.absorbed, 0.0);
   EXPECT_GT(reset.absorbed, 1e-3 * start);
   EXPECT_GT(viscous.absorbed, reset.absorbed);
-  EXPECT_LT(viscous.wall_lattice, 0.1 * fixed.wall_lattice);
+  EXPECT_LT(viscous.wall_lattice, 0.5 * fixed.wall_lattice);
 }
 
 struct Mean {

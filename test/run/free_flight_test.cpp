@@ -1,0 +1,160 @@
+#include "run/free_flight.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "run/compose.hpp"
+
+namespace impact {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Two points 1 R from their centre of mass, upright at the angle π/2.
+PointArray dumbbell() {
+  PointArray points(2, 2);
+  points << -1.0, 0.0, 1.0, 0.0;
+  return points;
+}
+
+/// The force of the wall on one point is none above the height 0.1 R: V₀ exp(−a y) = 10⁻⁶.
+WallAbove wall() { return {PotentialWall(1e3, 1e-6 * std::exp(1e3 * 0.1)), kInfinity, 1e-6}; }
+
+Flight flat(double height) { return {height, 0.1, 0.0, 0.0, 0.0, 0.0}; }
+
+TEST(StaysAbove, WithoutSpinTheLowestPointDecides) {
+  EXPECT_TRUE(stays_above(dumbbell(), flat(0.101), wall()));
+  EXPECT_FALSE(stays_above(dumbbell(), flat(0.099), wall()));
+  Flight upright = flat(1.099);
+  upright.angle = M_PI / 2;
+  EXPECT_FALSE(stays_above(dumbbell(), upright, wall()));
+  upright.height = 1.101;
+  EXPECT_TRUE(stays_above(dumbbell(), upright, wall()));
+}
+
+TEST(StaysAbove, SwingComesOnTop) {
+  Flight flight = flat(0.15);
+  flight.swing = 0.06;
+  EXPECT_FALSE(stays_above(dumbbell(), flight, wall()));
+  flight.swing = 0.04;
+  EXPECT_TRUE(stays_above(dumbbell(), flight, wall()));
+}
+
+TEST(StaysAbove, NeedsAVelocityAwayFromTheWall) {
+  Flight flight = flat(5.0);
+  flight.velocity = 0.0;
+  EXPECT_FALSE(stays_above(dumbbell(), flight, wall()));
+}
+
+/// The lowest point is at 0.2 + V t − sin(ω t), in either direction, with V/ω = κ: its least value
+/// is 0.2 + κ arccos κ − √(1 − κ²), 0.088 for κ = 0.76 and 0.115 for κ = 0.8.
+TEST(StaysAbove, ASpinBringsAnEndDown) {
+  for (const bool clockwise : {false, true}) {
+    Flight flight = flat(0.2);
+    double& spin = clockwise ? flight.clockwise : flight.counter_clockwise;
+    spin = 0.1 / 0.76;
+    EXPECT_FALSE(stays_above(dumbbell(), flight, wall()));
+    spin = 0.1 / 0.8;
+    EXPECT_TRUE(stays_above(dumbbell(), flight, wall()));
+  }
+}
+
+/// One end is down already: turning it up is safe, turning it down is not.
+TEST(StaysAbove, TheDirectionOfTheSpinCounts) {
+  Flight flight = flat(0.2 + std::sin(0.2));
+  flight.angle = 0.2;  // the right end is up, the left end is down
+  flight.clockwise = 0.1 / 0.6;
+  EXPECT_TRUE(stays_above(dumbbell(), flight, wall()));
+  std::swap(flight.clockwise, flight.counter_clockwise);
+  EXPECT_FALSE(stays_above(dumbbell(), flight, wall()));
+}
+
+TEST(StaysAbove, AllPointsCount) {
+  PointArray row(1000, 2);
+  row.col(0).setLinSpaced(-1.0, 1.0);
+  row.col(1).setZero();
+  // ln(1000)/10³ higher.
+  EXPECT_FALSE(stays_above(row, flat(0.1065), wall()));
+  EXPECT_TRUE(stays_above(row, flat(0.1075), wall()));
+}
+
+TEST(StaysAbove, NothingIsFeltAboveTheThreshold) {
+  WallAbove low = wall();
+  low.threshold = 0.05;
+  EXPECT_TRUE(stays_above(dumbbell(), flat(0.051), low));
+  EXPECT_FALSE(stays_above(dumbbell(), flat(0.049), low));
+}
+
+FreeFlight flight_of(const Scene& scene) { return {scene, make_bodies(scene)}; }
+
+Scene small_scene() {
+  Scene scene;
+  scene.disk.recipe.points = 60;
+  return scene;
+}
+
+/// Of the small disk about its centre of mass.
+double inertia() {
+  const PointArray& points = make_bodies(small_scene())->disk.points;
+  return (points.rowwise() - points.colwise().mean()).square().sum() / 60.0;
+}
+
+/// The bounds of the energy alone: the energy of the vibrations is what is not that of the spin.
+TEST(InnerBounds, WithoutDampingTheSpinIsKept) {
+  const FreeFlight flight = flight_of(small_scene());
+  const double l = 0.01;
+  const double energy = 0.5 * l * l / inertia();
+  const InnerBounds spin = flight.bounds({energy, l});
+  ASSERT_TRUE(spin.hold);
+  // A part of 10⁻³ of the energy is not told from the spin's.
+  EXPECT_NEAR(spin.counter_clockwise, l / inertia(), 0.02 * l / inertia());
+  EXPECT_GE(spin.counter_clockwise, l / inertia());
+  EXPECT_EQ(spin.clockwise, 0.0);
+  const InnerBounds other = flight.bounds({energy, -l});
+  EXPECT_EQ(other.clockwise, spin.counter_clockwise);
+  EXPECT_EQ(other.counter_clockwise, 0.0);
+  const InnerBounds vibrating = flight.bounds({2.0 * energy, l});
+  EXPECT_GT(vibrating.swing, 5.0 * spin.swing);
+}
+
+TEST(InnerBounds, OfVibrationsGrowWithTheRootOfTheEnergy) {
+  const FreeFlight flight = flight_of(small_scene());
+  const InnerBounds small = flight.bounds({1e-8, 0.0});
+  const InnerBounds large = flight.bounds({1e-6, 0.0});
+  EXPECT_NEAR(large.swing / small.swing, 10.0, 0.2);
+  EXPECT_GT(small.clockwise, 0.0);
+  EXPECT_EQ(small.clockwise, small.counter_clockwise);
+}
+
+/// All of the energy may become vibration, or spin in any direction.
+TEST(InnerBounds, WithDampingOnlyTheEnergyCounts) {
+  Scene scene = small_scene();
+  scene.material.eta = 1.0;
+  const FreeFlight flight = flight_of(scene);
+  const InnerBounds bounds = flight.bounds({1e-5, 1e-9});
+  EXPECT_EQ(bounds.clockwise, bounds.counter_clockwise);
+  EXPECT_GE(bounds.clockwise, std::sqrt(2e-5 / inertia()));
+  EXPECT_EQ(flight.bounds({1e-5, 3e-3}).swing, bounds.swing);
+}
+
+/// A stiffer disk swings out less, by the root of its stiffness.
+TEST(InnerBounds, ScaleWithTheStiffness) {
+  Scene scene = small_scene();
+  const double soft = flight_of(scene).bounds({1e-8, 0.0}).swing;
+  scene.material.k_a = 4.0;
+  EXPECT_NEAR(flight_of(scene).bounds({1e-8, 0.0}).swing / soft, 0.5, 1e-3);
+}
+
+TEST(InnerBounds, DoNotHoldWhenOneBondCouldFold) {
+  const FreeFlight flight = flight_of(small_scene());
+  const double spacing = std::sqrt(M_PI / 60);
+  const auto energy = [&](double share) { return 0.5 * std::pow(share * spacing, 2) / 1.1; };
+  EXPECT_TRUE(flight.bounds({energy(0.3), 0.0}).hold);
+  EXPECT_FALSE(flight.bounds({energy(0.35), 0.0}).hold);
+}
+
+}  // namespace
+}  // namespace impact
