@@ -16,26 +16,35 @@ namespace impact {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kMostWork = 3e9;  // points times steps
+constexpr double kMostWork = 1e9;  // points times force evaluations
 constexpr double kKnown = 0.1;     // of the wanted error, what the reference may err by
 constexpr double kFactor = 100.0;
 
-/// Points that a scene moves, but for those of an elastic wall.
-double work_of_looks(const Scene& scene, std::uint64_t looks) {
-  constexpr double kStepsOfLook = 64.0;  // see Run::advance()
-  return kStepsOfLook * static_cast<double>(looks) * scene.disk.recipe.points;
-}
+/// Adds up the work of all runs of an experiment.
+class WorkMeter {
+ public:
+  void look(const Run& run) {
+    const std::uint64_t evaluations = run.motion().field().evaluations;
+    const std::uint64_t more = evaluations < last_ ? evaluations : evaluations - last_;
+    last_ = evaluations;
+    work_ += static_cast<double>(more) * static_cast<double>(run.state().position.rows());
+  }
+  bool is_too_much() const { return work_ > kMostWork; }
+
+ private:
+  std::uint64_t last_ = 0;
+  double work_ = 0.0;
+};
 
 void perform(Experiment& experiment) {
-  std::uint64_t looks = 0;
-  const auto spent = [&] { return work_of_looks(experiment.scene(), looks) > kMostWork; };
+  WorkMeter meter;
   const auto stop = [&] {
-    ++looks;
-    return spent();
+    meter.look(experiment.run());
+    return meter.is_too_much();
   };
   while (!experiment.finished()) {
     experiment.advance(stop);
-    if (spent()) throw RunFailure("stopped: too many steps");
+    if (meter.is_too_much()) throw RunFailure("stopped: too much work");
   }
   for (const char* flag : {"not_at_rest", "not_separated"}) {
     if (experiment.run().has_flag(flag)) throw RunFailure(flag);

@@ -22,7 +22,7 @@ struct AccuracyTrial {
 };
 
 /// Computes the answer as the program `impact` does. Whatever is thrown becomes the status, as does
-/// work beyond about a minute: 3·10⁹ points times steps.
+/// work beyond about a minute: 10⁹ points times force evaluations.
 AccuracyTrial try_scene(const Scene& scene);
 
 /// A scene, its answer and the reference.

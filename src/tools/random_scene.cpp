@@ -89,7 +89,9 @@ Scene draw_scene(Draw& draw, int kind) {
 double work_of(const Composition& composition) {
   const Rates& rates = composition.rates;
   const double omega = std::sqrt(rates.lattice.omega_squared + rates.wall);
-  const double rate = omega + std::min(rates.lattice.gamma, kStiffDamping * omega);
+  const double implicit = kStiffDamping * omega;
+  const double gamma = rates.lattice.gamma;
+  const double rate = omega + (composition.bodies->wall ? gamma : std::min(gamma, implicit));
   return static_cast<double>(composition.initial.position.rows()) * composition.expected_time *
          rate;
 }

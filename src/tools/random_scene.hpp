@@ -30,8 +30,8 @@ RandomScene random_scene(std::uint64_t seed, int number);
 /// in the motion; work_of() at most 5·10⁶.
 bool is_sensible(const Scene& scene);
 
-/// Damping counts as stiff where its fastest decay γ exceeds the fastest vibration ω by this
-/// factor: there implicit methods cost less than explicit ones.
+/// On the potential wall damping counts as stiff where its fastest decay γ exceeds the fastest
+/// vibration ω by this factor: there implicit methods cost less than explicit ones.
 constexpr double kStiffDamping = 20.0;
 
 /// Forecast of the work of one run: points times the expected time in units of 1/(ω + γ), with the

@@ -113,7 +113,7 @@ ReferenceAnswer impact_reference(const Scene& scene) {
   const Rates& rates = composition.rates;
   const double omega = std::sqrt(rates.lattice.omega_squared);
   const double error = scene.numerics.error;
-  if (rates.lattice.gamma > kStiffDamping * omega) {
+  if (!composition.bodies->wall && rates.lattice.gamma > kStiffDamping * omega) {
     const double step = dividing_resets(composition.field, 0.5 / omega);
     return converged("extrapolated_damping", error, [&](int k) {
       return restitution(scene, composition, std::ldexp(step, -k),
