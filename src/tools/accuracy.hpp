@@ -1,52 +1,75 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "scene/scene.hpp"
+#include "tools/reference_answer.hpp"
 
 namespace impact {
 
-/// The scene of this number from the random scenes of a seed: of five in turn one contact, one
-/// collision with an elastic wall and three with the potential wall. Drawn are, log-uniform, the
-/// points of the disk (50 … 2000), the speed (0.003 … 0.1 c) or load (10⁻³ … 10⁻² M c²/R), a (100 …
-/// 1000 /R), in half of the scenes k_b (10⁻³ … 10³ M c²/R⁴, else 0) and, of those with the
-/// potential wall, η* (0.1 … 1000, else 0); the placement, the lattice's seed and an elastic wall's
-/// boundary and gap. Such a wall has the disk's bonds and number density.
-Scene random_scene(std::uint64_t seed, int number);
-
-/// The errors that are asked of a scene, falling: 10⁻³, 10⁻⁵, 10⁻⁷; with an elastic wall, whose
-/// hops limit it, 10⁻², 10⁻³, 10⁻⁴.
-std::vector<double> asked_errors(const Scene& scene);
-
-/// The answer of a scene, e or ξ, to far below the errors that are asked.
-struct ReferenceAnswer {
-  double value;
-  double error;         ///< relative difference from another method's; infinite: neither is known
-  std::string failure;  ///< of one of them; empty: none
-};
-
-/// From two methods that share nothing but the forces:
-/// - contact: Newton's method, and damped motion to rest (η* = N, ImplicitDamping), error 10⁻¹⁰
-/// - potential wall, η* ≤ 30: rk8pd with tolerance 10⁻¹², and `auto` with error 10⁻¹⁰
-/// - potential wall, stiffer: `auto` with error 10⁻¹⁰, and extrapolated damping with half its step
-/// - elastic wall: rk8pd with tolerance 10⁻¹⁰, and a method of order 6 with a step of 0.002 R/c
-ReferenceAnswer reference_answer(const Scene& scene);
-
-/// What came of one scene and one error.
+/// What came of one scene with its wanted error.
 struct AccuracyTrial {
-  double asked_error;
-  std::string status;  ///< "answered", or why not
+  static constexpr const char* kAnswered = "answered";
+
+  std::string status;  ///< kAnswered, or why not
   std::string integrator;
   double step;
   double answer;
   double estimated_error;
-  double true_error;  ///< relative to the reference
-  double wall_time;   ///< s
+  double wall_time;  ///< s
 };
 
-AccuracyTrial try_accuracy(Scene scene, double error, const ReferenceAnswer& reference);
+/// Computes the answer as the program `impact` does. Whatever is thrown becomes the status, as does
+/// work beyond about a minute: 10⁹ points times force evaluations.
+AccuracyTrial try_scene(const Scene& scene);
+
+/// A scene, its answer and the reference.
+struct AccuracyCheck {
+  Scene scene;
+  int rejected;  ///< scenes drawn before it, see RandomScene
+  ReferenceAnswer reference;
+  AccuracyTrial trial;
+
+  bool answered() const { return trial.status == AccuracyTrial::kAnswered; }
+  /// Of the answer, relative to the reference.
+  double true_error() const;
+};
+
+/// What the reference says of an answer.
+enum class Verdict {
+  kKept,         ///< it errs by no more than the wanted error
+  kBroken,       ///< it errs by more, whatever the reference's own error
+  kUndefined,    ///< references differ by more than the wanted error
+  kNoReference,  ///< there is no reference to a tenth of the wanted error
+  kRefused       ///< there is no answer
+};
+Verdict verdict(const AccuracyCheck& check);
+std::string name_of(Verdict verdict);
+
+/// The true over the estimated error of an answer, where the reference is good enough to say
+/// whether it lies between 1/100 and 100; else NaN.
+double true_over_estimated(const AccuracyCheck& check);
+
+/// How good the estimated errors of the answers are.
+struct EstimateQuality {
+  std::vector<double> ratios;  ///< true_over_estimated() where known, rising
+  int within = 0;              ///< of them between 1/100 and 100
+  int unknown = 0;             ///< answers of which it is not known
+};
+EstimateQuality estimate_quality(const std::vector<AccuracyCheck>& checks);
+
+/// The true over the wanted errors of the answers with a reference, rising.
+std::vector<double> errors_over_wanted(const std::vector<AccuracyCheck>& checks);
+
+/// How many scenes have each verdict.
+std::map<Verdict, int> count_verdicts(const std::vector<AccuracyCheck>& checks);
+
+/// How often there was no answer, by cause: the status with # for each number.
+std::map<std::string, int> count_refusals(const std::vector<AccuracyCheck>& checks);
+
+/// Of rising values, that below which the part q of them lies; NaN of none.
+double quantile(const std::vector<double>& rising, double q);
 
 }  // namespace impact

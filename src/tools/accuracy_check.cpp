@@ -1,5 +1,5 @@
-// Random scenes, each with several wanted errors, against a reference: how true the promised errors
-// are. A CSV row a scene and error, a summary on stdout.
+// Random scenes, each with a wanted error, against a reference: how true the promised and the
+// estimated errors are. A CSV row a scene, a summary on stdout.
 
 #include <algorithm>
 #include <array>
@@ -15,40 +15,33 @@
 #include <vector>
 
 #include "lattice/input_error.hpp"
+#include "scene/scene_parameters.hpp"
 #include "tools/accuracy.hpp"
 #include "tools/program.hpp"
 #include "tools/progress_bar.hpp"
-#include "tools/reference_integrator.hpp"
+#include "tools/random_scene.hpp"
 #include "tools/table.hpp"
 
 namespace impact {
 namespace {
 
-struct SceneCheck {
-  Scene scene;
-  ReferenceAnswer reference;
-  std::vector<AccuracyTrial> trials;
-};
+using Checks = std::vector<AccuracyCheck>;
 
-SceneCheck check(std::uint64_t seed, int number) {
-  const Scene scene = random_scene(seed, number);
-  SceneCheck check{scene, reference_answer(scene), {}};
-  for (const double error : asked_errors(scene)) {
-    check.trials.push_back(try_accuracy(scene, error, check.reference));
-  }
-  return check;
+AccuracyCheck check(std::uint64_t seed, int number) {
+  const RandomScene random = random_scene(seed, number);
+  return {random.scene, random.rejected, reference_answer(random.scene), try_scene(random.scene)};
 }
 
-std::vector<SceneCheck> check_all(std::uint64_t seed, int scenes, int jobs) {
+Checks check_all(std::uint64_t seed, int scenes, int jobs) {
   boost::asio::thread_pool pool(static_cast<std::size_t>(jobs));
-  std::vector<std::future<SceneCheck>> futures;
+  std::vector<std::future<AccuracyCheck>> futures;
   futures.reserve(static_cast<std::size_t>(scenes));
   for (int number = 0; number < scenes; ++number) {
     futures.push_back(boost::asio::post(
         pool, boost::asio::use_future([seed, number] { return check(seed, number); })));
   }
   ProgressBar bar(futures.size());
-  std::vector<SceneCheck> checks;
+  Checks checks;
   checks.reserve(futures.size());
   for (auto& future : futures) {
     bar.show(checks.size());
@@ -62,109 +55,110 @@ std::string without_commas(std::string text) {
   return text;
 }
 
-std::string kind_of(const Scene& scene) {
-  if (scene.kind == SceneKind::kContact) return "contact";
-  return scene.wall.kind == WallKind::kLattice ? "elastic wall" : "potential wall";
+/// The keys that are drawn; those that a scene does not have are left empty.
+const std::vector<std::string>& drawn_keys() {
+  static const std::vector<std::string> keys{
+      "seed",           "disk.points",      "disk.placement", "disk.rim",
+      "material.k_a",   "material.k_b",     "material.eta",   "wall.a",
+      "wall.V0",        "wall.points",      "wall.width",     "wall.height",
+      "wall.threshold", "wall.gap_measure", "wall.boundary",  "wall.reset_interval",
+      "load.P",         "impact.velocity",  "impact.gap",     "numerics.error"};
+  return keys;
 }
 
-/// The parameters that the scene has; of others an empty cell.
-void add_parameters(const Scene& scene, Table& table) {
-  const bool contact = scene.kind == SceneKind::kContact;
-  const bool elastic = kind_of(scene) == "elastic wall";
-  const auto number = [&](bool has, double value) {
-    table << (has ? fmt::format("{}", value) : std::string());
-  };
-  number(true, static_cast<double>(scene.seed));
-  number(true, scene.disk.recipe.points);
-  table << std::string(scene.disk.recipe.placement == Placement::kUniform ? "uniform"
-                                                                          : "blue_noise");
-  number(true, scene.material.k_b);
-  number(!contact, scene.material.eta);
-  number(true, scene.wall.a);
-  number(!contact, scene.impact.velocity);
-  number(contact, scene.load.p);
-  const std::map<Boundary, std::string> boundaries{
-      {Boundary::kReset, "reset"}, {Boundary::kFixed, "fixed"}, {Boundary::kViscous, "viscous"}};
-  table << (elastic ? boundaries.at(scene.wall.boundary) : std::string());
-  table << std::string(!elastic                                ? ""
-                       : scene.wall.gap == GapMeasure::kNormal ? "normal"
-                                                               : "vertical");
+std::string value_of(const std::string& key, const Scene& scene) {
+  const auto& table = scene_parameters();
+  const auto parameter =
+      std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.key == key; });
+  return parameter->applies(scene) ? one_line(parameter->write(scene)) : std::string();
 }
 
-Table table_of(const std::vector<SceneCheck>& checks) {
-  Table table({"number",     "kind",     "seed",        "points",          "placement",
-               "k_b",        "eta",      "a",           "velocity",        "P",
-               "boundary",   "gap",      "asked_error", "status",          "integrator",
-               "step",       "answer",   "reference",   "reference_error", "estimated_error",
-               "true_error", "wall_time"});
+Table table_of(const Checks& checks) {
+  std::vector<std::string> columns{"number", "kind"};
+  columns.insert(columns.end(), drawn_keys().begin(), drawn_keys().end());
+  for (const char* column : {"status", "integrator", "step", "answer", "reference",
+                             "reference_method", "reference_error", "estimated_error", "true_error",
+                             "true_over_estimated", "verdict", "wall_time"}) {
+    columns.emplace_back(column);
+  }
+  Table table(columns);
   for (std::size_t number = 0; number < checks.size(); ++number) {
-    const auto& [scene, reference, trials] = checks[number];
-    for (const AccuracyTrial& trial : trials) {
-      table << static_cast<double>(number) << kind_of(scene);
-      add_parameters(scene, table);
-      table << trial.asked_error << without_commas(trial.status) << trial.integrator << trial.step
-            << trial.answer << reference.value << reference.error << trial.estimated_error
-            << trial.true_error << trial.wall_time;
-    }
+    const AccuracyCheck& check = checks[number];
+    table << static_cast<double>(number) << kind_of(check.scene);
+    for (const std::string& key : drawn_keys()) table << value_of(key, check.scene);
+    table << without_commas(check.trial.status) << check.trial.integrator << check.trial.step
+          << check.trial.answer << check.reference.value << check.reference.method
+          << check.reference.error << check.trial.estimated_error << check.true_error()
+          << true_over_estimated(check) << name_of(verdict(check)) << check.trial.wall_time;
   }
   return table;
 }
 
-double quantile(const std::vector<double>& sorted, double q) {
-  return sorted[static_cast<std::size_t>(std::lround(q * static_cast<double>(sorted.size() - 1)))];
+Checks of_kind(const Checks& checks, const std::string& kind) {
+  Checks chosen;
+  std::copy_if(checks.begin(), checks.end(), std::back_inserter(chosen),
+               [&](const AccuracyCheck& check) { return kind_of(check.scene) == kind; });
+  return chosen;
 }
 
-/// Of the answers to the n-th error of all scenes.
-struct Summary {
-  int answered = 0;
-  /// True over asked error, rising, where the reference is good to a hundredth of the error.
-  std::vector<double> ratios;
-};
+void print_row(const std::string& name, const Checks& checks) {
+  std::map<Verdict, int> counts = count_verdicts(checks);
+  const std::vector<double> errors = errors_over_wanted(checks);
+  fmt::print("{:<15} {:>6}  {:>8}  {:>5}  {:>6}  {:>9}  {:>12}  {:>8.2g} {:>8.2g} {:>8.2g}\n", name,
+             checks.size(), static_cast<int>(checks.size()) - counts[Verdict::kRefused],
+             counts[Verdict::kKept], counts[Verdict::kBroken], counts[Verdict::kUndefined],
+             counts[Verdict::kNoReference], quantile(errors, 0.5), quantile(errors, 0.9),
+             quantile(errors, 1.0));
+}
 
-Summary summary_of(const std::vector<SceneCheck>& checks, std::size_t n) {
-  Summary summary;
-  for (const auto& [scene, reference, trials] : checks) {
-    const AccuracyTrial& trial = trials[n];
-    if (trial.status != "answered") continue;
-    ++summary.answered;
-    if (!(reference.error <= 0.01 * trial.asked_error)) continue;
-    summary.ratios.push_back(trial.true_error / trial.asked_error);
+void print_quality(const std::string& name, const Checks& checks) {
+  const EstimateQuality quality = estimate_quality(checks);
+  const auto known = static_cast<double>(quality.ratios.size());
+  fmt::print("{:<15} {:>6}  {:>7}  {:>10.1f} %", name, quality.ratios.size(), quality.unknown,
+             100.0 * quality.within / known);
+  for (const double q : {0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99, 1.0}) {
+    fmt::print("  {:>7.2g}", quantile(quality.ratios, q));
   }
-  std::sort(summary.ratios.begin(), summary.ratios.end());
-  return summary;
+  fmt::print("\n");
 }
 
-bool breaks_promise(const AccuracyTrial& trial) { return trial.true_error > trial.asked_error; }
+void print_by_kind(const Checks& checks, void (*print)(const std::string&, const Checks&)) {
+  for (const char* kind : {"contact", "potential wall", "elastic wall"}) {
+    print(kind, of_kind(checks, kind));
+  }
+  print("all", checks);
+}
 
-void print_summary(const std::vector<SceneCheck>& checks) {
+void print_summary(const Checks& checks) {
   fmt::print(
-      "asked error (elastic wall)  answered  with reference  true/asked: median  90 %  max\n");
-  constexpr std::array<const char*, 3> kNames{"1e-3 (1e-2)", "1e-5 (1e-3)", "1e-7 (1e-4)"};
-  for (std::size_t n = 0; n < kNames.size(); ++n) {
-    const Summary summary = summary_of(checks, n);
-    fmt::print("{:<26}  {:>4}/{:<3}  {:>14}", kNames[n], summary.answered, checks.size(),
-               summary.ratios.size());
-    if (!summary.ratios.empty()) {
-      fmt::print("  {:>18.2g}  {:.2g}  {:.2g}", quantile(summary.ratios, 0.5),
-                 quantile(summary.ratios, 0.9), summary.ratios.back());
-    }
-    fmt::print("\n");
-  }
+      "kind            scenes  answered   kept  broken  undefined  no reference  true over wanted "
+      "error: median, 90 %, greatest\n");
+  print_by_kind(checks, &print_row);
+  fmt::print(
+      "\ntrue over estimated error; quantiles 1, 5, 25, 50, 75, 95, 99 and 100 %\n"
+      "kind             known  unknown  within 100×\n");
+  print_by_kind(checks, &print_quality);
+  int rejected = 0;
+  for (const AccuracyCheck& check : checks) rejected += check.rejected;
+  fmt::print("\n{} scenes drawn besides are not of sensible size\n", rejected);
 }
 
-void print_failures(const std::vector<SceneCheck>& checks) {
+void print_refusals(const Checks& checks) {
+  for (const auto& [cause, count] : count_refusals(checks)) fmt::print("{} × {}\n", count, cause);
+}
+
+/// Each with the command that repeats it.
+void print_answers_in_doubt(const Checks& checks) {
   for (std::size_t number = 0; number < checks.size(); ++number) {
-    const auto& [scene, reference, trials] = checks[number];
-    if (!reference.failure.empty()) {
-      fmt::print("scene {} has no reference: {}\n", number, reference.failure);
-    }
-    for (const AccuracyTrial& trial : trials) {
-      if (trial.status != "answered") fmt::print("scene {}: {}\n", number, trial.status);
-      if (breaks_promise(trial)) {
-        fmt::print("scene {}: asked for {:g}, true error {:.2g}, reference to {:.1g}\n", number,
-                   trial.asked_error, trial.true_error, reference.error);
-      }
-    }
+    const AccuracyCheck& check = checks[number];
+    const Verdict said = verdict(check);
+    if (said != Verdict::kBroken && said != Verdict::kUndefined) continue;
+    fmt::print(
+        "scene {}, {}: {:.10g}, reference {:.10g} to {:.1g}, true error {:.2g} ({:.2g} of the "
+        "wanted), estimated {:.2g}\n  {}\n",
+        number, name_of(said), check.trial.answer, check.reference.value, check.reference.error,
+        check.true_error(), check.true_error() / check.scene.numerics.error,
+        check.trial.estimated_error, impact_command(check.scene));
   }
 }
 
@@ -172,15 +166,12 @@ void check_accuracy(std::uint64_t seed, int scenes, int jobs, const std::string&
   if (!std::ofstream(output, std::ios::app)) {
     throw InputError(fmt::format("--output: {} cannot be written", output));
   }
-  const std::vector<SceneCheck> checks = check_all(seed, scenes, jobs);
+  const Checks checks = check_all(seed, scenes, jobs);
   table_of(checks).write(output);
   print_summary(checks);
-  print_failures(checks);
-  std::ptrdiff_t broken = 0;
-  for (const SceneCheck& check : checks) {
-    broken += std::count_if(check.trials.begin(), check.trials.end(), breaks_promise);
-  }
-  if (broken > 0) {
+  print_refusals(checks);
+  print_answers_in_doubt(checks);
+  if (const int broken = count_verdicts(checks)[Verdict::kBroken]; broken > 0) {
     throw std::runtime_error(fmt::format("{} answers err by more than was asked for", broken));
   }
 }
@@ -189,7 +180,6 @@ void check_accuracy(std::uint64_t seed, int scenes, int jobs, const std::string&
 }  // namespace impact
 
 int main(int argc, char** argv) {
-  impact::offer_reference_integrator();
   CLI::App app("Compares the errors of random scenes with those that were asked for.",
                "accuracy_check");
   std::string output;

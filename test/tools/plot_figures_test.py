@@ -68,6 +68,14 @@ def write_precision(folder):
     write(folder, 'discretisation.csv', lines)
 
 
+def write_accuracy(folder):
+    """Of one kind there is none; an answer without an error, one in doubt, one refused."""
+    write(folder, 'accuracy.csv',
+          ['kind,numerics.error,true_error,true_over_estimated,verdict',
+           'contact,1e-4,1e-5,0.3,kept', 'contact,1e-4,0,0,kept',
+           'potential wall,1e-4,1e-3,nan,undefined', 'potential wall,1e-4,nan,nan,refused'])
+
+
 def plot(figure, folder):
     return subprocess.run([sys.executable, str(PROGRAM), figure, str(folder)],
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -102,6 +110,12 @@ class PlotFiguresTest(unittest.TestCase):
         names = ['discretisation'] + [file.stem for file in self.folder.glob('work_*.csv')]
         self.assertEqual(set(self.pictures()),
                          {name + end for name in names for end in ('.png', '.svg')})
+
+    def test_accuracy_is_made_of_data_with_gaps(self):
+        write_accuracy(self.folder)
+        done = plot('accuracy', self.folder)
+        self.assertEqual((done.returncode, done.stdout), (0, ''))
+        self.assertEqual(set(self.pictures()), {'accuracy.png', 'accuracy.svg'})
 
     def test_one_figure_needs_only_its_own_data_and_is_the_same_again(self):
         write_figure2(self.folder)
