@@ -5,6 +5,7 @@
 #include "mechanics/force_field.hpp"
 #include "mechanics/state.hpp"
 #include "run/bodies.hpp"
+#include "run/expected_time.hpp"
 #include "run/resolution.hpp"
 #include "scene/scene.hpp"
 
@@ -22,14 +23,10 @@ struct Composition {
 };
 
 /// @throw InputError for a lattice that cannot be used, and for a given step beyond the stability
-/// bound of the lattice and its damping.
+/// bound of the lattice and its damping, and as refuse_if_too_long().
 Composition compose(const Scene& scene);
 /// With the bodies of this scene or one of the same bodies.
 Composition compose(const Scene& scene, std::shared_ptr<const Bodies> bodies);
 std::shared_ptr<const Composition> compose_shared(const Scene& scene);
-
-/// The energy of the potential wall that counts as none: numerics.error/100 of the kinetic energy
-/// at the start. In M c².
-double negligible_wall_energy(const Scene& scene);
 
 }  // namespace impact
