@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <functional>
 
 #include "mechanics/kernels.hpp"
 #include "mechanics/threads.hpp"
@@ -26,12 +27,8 @@ void in_parts(Eigen::Index points, const Work& work) {
   const int threads = parts < kFewestParts ? 1 : threads_in_a_run();
   if (threads == 1) {
     for (Eigen::Index part = 0; part < parts; ++part) do_part(part);
-  } else if (threads == 0) {
-#pragma omp parallel for schedule(static)
-    for (Eigen::Index part = 0; part < parts; ++part) do_part(part);
   } else {
-#pragma omp parallel for schedule(static) num_threads(threads)
-    for (Eigen::Index part = 0; part < parts; ++part) do_part(part);
+    share_out(parts, threads, std::cref(do_part));
   }
 }
 

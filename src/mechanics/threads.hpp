@@ -1,13 +1,21 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <functional>
+
 namespace impact {
 
 /// On how many threads the loops over the points of one run are shared out, in runs that the
-/// calling thread makes. 0: on as many as OpenMP has, all processors that the program may use or
-/// OMP_NUM_THREADS.
+/// calling thread makes. 0: on as many as there are processors that the program may use.
 inline int& threads_in_a_run() {
   thread_local int threads = 0;
   return threads;
 }
+
+/// Calls work(0) … work(count − 1) on several threads (oneTBB), of which the calling one is one.
+/// They take what is left piece by piece and sleep while there is nothing, so that one that other
+/// programs slow down does less, and none takes processor time from others by waiting.
+/// @param threads at most so many; 0: as threads_in_a_run().
+void share_out(Eigen::Index count, int threads, const std::function<void(Eigen::Index)>& work);
 
 }  // namespace impact

@@ -26,6 +26,8 @@ class WallContact {
   double potential_at(double gap) const { return v0_ * std::exp(-a_ * gap); }
   /// The gap (R) across which this force (M c²/R) acts.
   double gap_of_force(double force) const { return std::log(a_ * v0_ / force) / a_; }
+  /// The gap (R) across which this energy (M c²) is stored.
+  double gap_of_energy(double energy) const { return std::log(v0_ / energy) / a_; }
   /// The stiffness where this force acts: −dF/dl = a F, in M c²/R².
   double stiffness(double force) const { return a_ * force; }
 

@@ -10,6 +10,7 @@
 #include "lattice/input_error.hpp"
 #include "nodes/conversions.hpp"
 #include "nodes/program.hpp"
+#include "run/forecast.hpp"
 #include "scene/scene_parameters.hpp"
 
 namespace impact {
@@ -26,6 +27,10 @@ double expected_size(const Scene& scene, const Composition& composition) {
   constexpr double kOverhead = 300.0;
   return states * (4.0 * 8.0 * static_cast<double>(composition.initial.position.rows()) +
                    2.0 * 8.0 * samples + kOverhead);
+}
+
+Forecast forecast_of(const Scene& scene, const Composition& composition) {
+  return forecast(scene, composition.bodies->disk.points.rows(), composition.field.wall_points);
 }
 
 /// Stamps must differ from one state to the next, and fit into ros::Duration.
@@ -65,6 +70,7 @@ Compositions check_series(const SimulationNodeParameters& parameters,
   Eigen::Index points = 0;
   double size = 0.0;
   double longest_time = 0.0;
+  Forecast work;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Scene& scene = series[i];
     if (interrupted()) return compositions;
@@ -72,15 +78,18 @@ Compositions check_series(const SimulationNodeParameters& parameters,
       throw bad_value("scene", "stretch", "contact or collision in a node; see the program impact");
     }
     const auto composition = compose_shared(scene);
+    const Forecast expected = forecast_of(scene, *composition);
+    work.steps += expected.steps;
+    work.seconds += expected.seconds;
     size += expected_size(scene, *composition);
     longest_time += Run::kPatience * composition->expected_time;
     check_stamps(parameters.seconds_per_time_unit, scene.output.period, longest_time);
     points += composition->initial.position.rows();
     if (points <= kMostPointsKept || i == 0) compositions[i] = composition;
   }
-  ROS_INFO(
-      "%s",
-      fmt::format("{} run(s), about {:.3g} MB of messages", series.size(), size / 1e6).c_str());
+  ROS_INFO("%s", fmt::format("{} run(s), about {:.3g} MB of messages, {}", series.size(),
+                             size / 1e6, text(work))
+                     .c_str());
   if (!parameters.bag.empty() && size > free_space(parameters.bag)) {
     throw InputError(fmt::format("bag: about {:.3g} GB are to be written to {}, {:.3g} GB are free",
                                  size / 1e9, parameters.bag, free_space(parameters.bag) / 1e9));
@@ -132,6 +141,9 @@ void SimulationNode::simulate(const Scene& scene,
     failure = cause.what();
   }
   take_answer(control);
+  const Forecast expected = forecast_of(scene, *composition);
+  status_.expected_steps = expected.steps;
+  status_.expected_seconds = expected.seconds;
   Run run(scene, composition, control.resolution());
   start(scene, run);
   try {

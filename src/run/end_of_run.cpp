@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "run/expected_time.hpp"
+
 namespace impact {
 namespace {
 

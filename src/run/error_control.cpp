@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "measure/strain.hpp"
+#include "run/expected_time.hpp"
 #include "scene/scene_parameters.hpp"
 
 namespace impact {

@@ -12,6 +12,7 @@
 #include "mechanics/implicit_damping.hpp"
 #include "mechanics/simulation.hpp"
 #include "mechanics/velocity_verlet.hpp"
+#include "run/expected_time.hpp"
 #include "run/rk8pd_offer.hpp"
 #include "scene/scene_parameters.hpp"
 #include "solvers/bdf.hpp"
@@ -49,18 +50,6 @@ double unit_of(IntegratorKind integrator) {
 /// Two points that push each other apart move against each other like one of half the mass.
 constexpr double kBothEndsMove = 2.0;
 
-bool has_resets(const Scene& scene) {
-  return scene.kind == SceneKind::kCollision && scene.wall.kind == WallKind::kLattice &&
-         scene.wall.boundary == Boundary::kReset;
-}
-
-/// The longest step, not above `step`, that divides the interval between resets.
-double dividing_resets(const Scene& scene, double step) {
-  if (!has_resets(scene)) return step;
-  constexpr double kRounding = 1e-9;
-  return scene.wall.reset_interval / std::ceil(scene.wall.reset_interval / step - kRounding);
-}
-
 /// With the wall as stiff as Simulation forecasts it at the start of a step.
 double longest_step(const Scene& scene, IntegratorKind integrator, const Rates& rates) {
   constexpr int kHalvings = 30;
@@ -77,21 +66,6 @@ double longest_step(const Scene& scene, IntegratorKind integrator, const Rates& 
     if (is_stable(stable + part)) stable += part;
   }
   return stable;
-}
-
-/// Time of a step, in steps of undamped velocity Verlet, as test/bench/bench_runs.cpp measures it
-/// at N = 1099.
-double cost_of_step(const Scene& scene, IntegratorKind integrator) {
-  switch (integrator) {
-    case IntegratorKind::kBlanesMoan:
-      return 10.5;
-    case IntegratorKind::kExtrapolatedDamping:
-      return 34.0;
-    case IntegratorKind::kImplicitDamping:
-      return 4.3;
-    default:
-      return scene.is_damped() ? 1.5 : 1.0;
-  }
 }
 
 /// The step that is likely to be needed.
@@ -165,6 +139,25 @@ std::unique_ptr<FixedStepIntegrator<Field>> make_fixed(IntegratorKind integrator
 
 template std::unique_ptr<FixedStepIntegrator<ForceField>> make_fixed(IntegratorKind integrator);
 template std::unique_ptr<FixedStepIntegrator<LaneField>> make_fixed(IntegratorKind integrator);
+
+double dividing_resets(const Scene& scene, double step) {
+  if (!has_resets(scene)) return step;
+  constexpr double kRounding = 1e-9;
+  return scene.wall.reset_interval / std::ceil(scene.wall.reset_interval / step - kRounding);
+}
+
+double cost_of_step(const Scene& scene, IntegratorKind integrator) {
+  switch (integrator) {
+    case IntegratorKind::kBlanesMoan:
+      return 10.5;
+    case IntegratorKind::kExtrapolatedDamping:
+      return 34.0;
+    case IntegratorKind::kImplicitDamping:
+      return 4.3;
+    default:
+      return scene.is_damped() ? 1.5 : 1.0;
+  }
+}
 
 double largest_point_force(const Scene& scene, int points, double sound_speed) {
   double total = 2.0 * scene.load.p;

@@ -47,6 +47,14 @@ Rates rates(const Scene& scene, const Spectrum& lattice, const WallContact& wall
 /// Largest stable step of a method of fixed step (R/c).
 double step_limit(IntegratorKind integrator, double omega_squared, double gamma);
 
+/// The longest step (R/c), not above `step`, that divides the interval between resets, if there are
+/// resets.
+double dividing_resets(const Scene& scene, double step);
+
+/// Time of a step of a method of fixed step, in steps of undamped velocity Verlet, as
+/// test/bench/bench_runs.cpp measures it at N = 1099.
+double cost_of_step(const Scene& scene, IntegratorKind integrator);
+
 /// Order of a method of fixed step.
 int order_of(IntegratorKind integrator);
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mechanics/equilibrium_solver.hpp"
+#include "run/expected_time.hpp"
 
 namespace impact {
 namespace {

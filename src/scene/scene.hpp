@@ -96,6 +96,7 @@ struct Scene {
     std::optional<double> step;       ///< empty: by `error`
     std::optional<double> tolerance;  ///< of adaptive integrators; empty: by `error`
     double error = 1.0e-4;
+    double longest = 3600.0;
 
     /// Whether step or tolerance are given: then no error control sees to the answer.
     bool are_given() const { return step || tolerance; }
@@ -111,6 +112,8 @@ struct Scene {
            (kind == SceneKind::kContact && numerics.integrator == IntegratorKind::kAuto &&
             !numerics.step);
   }
+  /// Whether the numbers of points are known without reading a file.
+  bool has_recipes_only() const { return disk.file.empty() && wall.file.empty(); }
   /// Whether forces depend on velocities.
   bool is_damped() const {
     return material.eta != 0.0 ||

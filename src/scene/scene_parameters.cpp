@@ -199,6 +199,10 @@ Table numerics_keys() {
               "numerics.error", "-", {1e-10, 1e-2},
               "wanted relative error of the answer, restitution or strain",
               [](auto& s) -> auto& { return s.numerics.error; }),
+          real<Scene>(
+              "numerics.longest", "s", {0.0, 1e9, false},
+              "a scene that is forecast to take longer on one processor is refused",
+              [](auto& s) -> auto& { return s.numerics.longest; }),
           only(is_moved, real<Scene>(
                              "output.period", "R/c", {1e-6, 1e6}, "time between published states",
                              [](auto& s) -> auto& { return s.output.period; }))};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lattice/lammps_data.hpp"
+#include "run/forecast.hpp"
 #include "scene/scene_parameters.hpp"
 #include "tools/experiment.hpp"
 #include "tools/program.hpp"
@@ -34,6 +35,15 @@ void perform(Experiment& experiment) {
   if (show_progress) fmt::print(stderr, "\r\033[K");
 }
 
+void tell_if_long(const Experiment& experiment) {
+  const Run& run = experiment.run();
+  const Lattice* const wall = run.wall_lattice();
+  const Forecast expected = forecast(experiment.scene(), run.lattice().points.rows(),
+                                     wall == nullptr ? 0 : wall->points.rows());
+  if (expected.seconds <= kWorthTelling) return;
+  fmt::print(stderr, "impact: this scene will take about {}\n", text(expected));
+}
+
 void write_file(const std::filesystem::path& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary);
   file << text;
@@ -51,6 +61,7 @@ void perform(const std::string& scene_file, const std::vector<std::string>& assi
     std::filesystem::create_directories(folder, error);
     if (error) throw InputError(fmt::format("--output: {}: {}", folder, error.message()));
   }
+  tell_if_long(experiment);
   perform(experiment);
 
   const std::string result = YAML::Dump(experiment.result()) + "\n";

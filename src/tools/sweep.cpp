@@ -5,6 +5,7 @@
 #include <thread>
 #include <vector>
 
+#include "run/forecast.hpp"
 #include "scene/scene_parameters.hpp"
 #include "tools/interruption.hpp"
 #include "tools/program.hpp"
@@ -17,9 +18,21 @@
 namespace impact {
 namespace {
 
+void tell_if_long(const std::vector<Scene>& scenes) {
+  Forecast all;
+  for (const Scene& scene : scenes) {
+    const Forecast expected = forecast(scene);
+    all.steps += expected.steps;
+    all.seconds += expected.seconds;
+  }
+  if (all.seconds <= kWorthTelling) return;
+  fmt::print(stderr, "sweep: these scenes will take at most about {}\n", text(all));
+}
+
 void sweep(const std::string& scene_file, const std::vector<std::string>& assignments,
            const std::string& output, int jobs) {
   const std::vector<Scene> scenes = parse_sweep(load_keys(scene_file), assignments);
+  tell_if_long(scenes);
   take_interruptions();
   std::vector<Row> rows;
   {

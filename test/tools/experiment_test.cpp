@@ -44,26 +44,26 @@ TEST_P(AnswerOf, CaseIsWithinTheWantedErrorAndTheEstimatedOne) {
 
 INSTANTIATE_TEST_SUITE_P(
     Quoted, AnswerOf,
-    testing::Values(
-        Case{"SpinningTriangleStrikesAgain",
-             "collision",
-             {"disk.points=3", "seed=3", "impact.velocity=0.05"},
-             0.90561675095},
-        Case{"SpinningDiskStrikesAgain",
-             "collision",
-             {"seed=443148", "disk.points=15", "disk.rim=false", "impact.velocity=0.0384105",
-              "wall.a=622.791"},
-             0.75406746896},
-        Case{"HardWall",
-             "collision",
-             {"seed=754924", "disk.points=1027", "impact.velocity=0.0314025", "wall.a=8114.75",
-              "numerics.error=1e-5"},
-             0.98288533261},
-        Case{"HardWallAndStiffBonds",
-             "collision",
-             {"seed=678087", "disk.points=11", "disk.rim=false", "impact.velocity=0.0370797",
-              "wall.a=4801.84", "material.k_a=217.443", "impact.gap=1", "numerics.error=1e-8"},
-             0.68987271722}),
+    testing::Values(Case{"SpinningTriangleStrikesAgain",
+                         "collision",
+                         {"disk.points=3", "seed=3", "impact.velocity=0.05"},
+                         0.90561675095},
+                    Case{"SpinningDiskStrikesAgain",
+                         "collision",
+                         {"seed=443148", "disk.points=15", "disk.rim=false",
+                          "impact.velocity=0.0384105", "wall.a=622.791"},
+                         0.75406746896},
+                    Case{"HardWall",
+                         "collision",
+                         {"seed=754924", "disk.points=1027", "impact.velocity=0.0314025",
+                          "wall.a=8114.75", "numerics.error=1e-5"},
+                         0.98288533261},
+                    Case{"HardWallAndStiffBonds",
+                         "collision",
+                         {"seed=678087", "disk.points=11", "disk.rim=false",
+                          "impact.velocity=0.0370797", "wall.a=4801.84", "material.k_a=217.443",
+                          "impact.gap=1", "numerics.error=1e-8"},
+                         0.68987271722}),
     [](const auto& info) { return info.param.name; });
 
 /// Hops and a cut-off wall leave a scatter above the wanted error: no answer, and the cause.
@@ -75,20 +75,20 @@ TEST(Answer, IsRefusedWhereTheContactScatters) {
        "wall.boundary=fixed", "wall.threshold=0.534165", "wall.points=144", "wall.width=1.04704",
        "wall.height=1.24024", "impact.gap=1", "numerics.error=1e-6"});
   EXPECT_THROW(performed(hops), RunFailure);
-  const Scene cut_off = scene_of(
-      "absorbing_wall",
-      {"seed=352672", "disk.points=28", "impact.velocity=0.0130016", "wall.a=54.4457",
-       "material.k_b=6.24203", "wall.boundary=fixed", "wall.gap_measure=vertical",
-       "wall.points=44", "wall.width=2.41995", "numerics.error=1e-8"});
+  const Scene cut_off =
+      scene_of("absorbing_wall",
+               {"seed=352672", "disk.points=28", "impact.velocity=0.0130016", "wall.a=54.4457",
+                "material.k_b=6.24203", "wall.boundary=fixed", "wall.gap_measure=vertical",
+                "wall.points=44", "wall.width=2.41995", "numerics.error=1e-8"});
   EXPECT_THROW(performed(cut_off), RunFailure);
 }
 
-/// A disk that keeps 2 % of its energy, of which the wall's tail would be 50 times as much as of what
-/// went in: the start is lifted, so that e is that of a start much further away.
+/// A disk that keeps 2 % of its energy, of which the wall's tail would be 50 times as much as of
+/// what went in: the start is lifted, so that e is that of a start much further away.
 TEST(Answer, CountsTheTailOfTheWallAgainstWhatIsLeft) {
-  std::vector<std::string> keys{"disk.points=8", "disk.placement=uniform", "disk.rim=false",
-                                "impact.velocity=0.005", "material.k_a=0.01",
-                                "material.k_b=1e-5"};
+  std::vector<std::string> keys{"disk.points=8",     "disk.placement=uniform",
+                                "disk.rim=false",    "impact.velocity=0.005",
+                                "material.k_a=0.01", "material.k_b=1e-5"};
   const Experiment lifted = performed(scene_of("collision", keys));
   ASSERT_LT(lifted.answer(), 0.15);
   keys.emplace_back("impact.gap=0.3");
@@ -102,8 +102,8 @@ TEST(Answer, CountsTheTailOfTheWallAgainstWhatIsLeft) {
 /// by, it is the same within the estimates.
 TEST(Answer, OfALightLoadHasTheErrorOfRounding) {
   const auto strain = [](const char* v0) {
-    return performed(scene_of("contact", {"numerics.integrator=newton", "load.P=1e-7", v0,
-                                          "numerics.error=1e-8"}));
+    return performed(scene_of(
+        "contact", {"numerics.integrator=newton", "load.P=1e-7", v0, "numerics.error=1e-8"}));
   };
   const Experiment reference = strain("wall.V0=1");
   EXPECT_GT(reference.estimated_error(), 1e-9);
@@ -137,8 +137,7 @@ TEST(Answer, HasAnErrorForEveryNumber) {
     const ImpactAnswer fine = performed(scene_of("collision", finer)).impact();
     // What rounding leaves of a vanishing number is 1e-15.
     for (const auto& [name, number] : impact_numbers<Restitution>()) {
-      EXPECT_LE(std::abs(coarse.value.*number - fine.value.*number),
-                coarse.error.*number + 1e-15)
+      EXPECT_LE(std::abs(coarse.value.*number - fine.value.*number), coarse.error.*number + 1e-15)
           << name << " " << a;
     }
   }

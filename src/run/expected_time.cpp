@@ -1,0 +1,74 @@
+#include "run/expected_time.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace impact {
+namespace {
+
+/// Flight, in R/c, before the wall's energy is no longer negligible. At high speeds it leaves
+/// nothing of that energy at the start, so that even a disk which folds meets the wall in the same
+/// way whatever the wanted error.
+constexpr double kApproach = 0.5;
+
+/// Rough time until the disk's bouncing on the wall has decayed to the wanted error. The disk is
+/// the spring k_d = dP/dξ ≈ πE/(ln(4πER/P) − 2) of the 2D Hertz contact with Kelvin–Voigt damping
+/// of the time constant η/k_a, in series with the wall's own undamped spring k_w = a P. So the
+/// bouncing decays at the rate (η/k_a) k_d (k_w/(k_w + k_d))²/(2M), or k_a/η when overdamped.
+double relaxation_time(const Scene& scene, Eigen::Index points) {
+  const double time_constant =
+      scene.material.eta / (static_cast<double>(points) * scene.material.k_a);
+  const double pi_e = std::pow(estimated_sound_speed(scene.material.k_a), 2);
+  const double disk = pi_e / std::max(1.0, std::log(4.0 * pi_e / scene.load.p) - 2.0);
+  const double wall = scene.wall.a * scene.load.p;
+  const double share = wall / (wall + disk);
+  const double rate = std::min(0.5 * time_constant * disk * share * share, 1.0 / time_constant);
+  return std::log(10.0 / scene.numerics.error) / rate;
+}
+
+double impact_time(const Scene& scene, double gap) {
+  const double sound_speed = estimated_sound_speed(scene.material.k_a);
+  const double v = scene.impact.velocity;
+  const double contact =
+      M_PI / sound_speed * std::sqrt(std::max(1.0, std::log(4.0 * sound_speed / v)));
+  return 2.0 * std::max(0.0, gap) / v + contact;
+}
+
+}  // namespace
+
+double estimated_sound_speed(double k_a) { return std::sqrt(2.0 / std::sqrt(3.0) * k_a * M_PI); }
+
+PotentialWall repulsion(const Scene& scene, Eigen::Index points) {
+  const double mass = 1.0 / static_cast<double>(points);
+  const double part = scene.wall.kind == WallKind::kLattice ? 0.5 : 1.0;
+  return {scene.wall.a, scene.wall.v0.value_or(part * scene.wall.a * mass)};
+}
+
+double negligible_wall_energy(const Scene& scene) {
+  return negligible_fraction(scene) * 0.5 * scene.impact.velocity * scene.impact.velocity;
+}
+
+double negligible_fraction(const Scene& scene) { return 0.01 * scene.numerics.error; }
+
+bool has_resets(const Scene& scene) {
+  return scene.kind == SceneKind::kCollision && scene.wall.kind == WallKind::kLattice &&
+         scene.wall.boundary == Boundary::kReset;
+}
+
+double on_whole_resets(const Scene& scene, double height) {
+  if (!has_resets(scene)) return height;
+  const double way = scene.impact.velocity * scene.wall.reset_interval;
+  return way * std::ceil(height / way);
+}
+
+double gap_at_start(const Scene& scene, double negligible_height) {
+  if (scene.impact.gap) return *scene.impact.gap;
+  return on_whole_resets(scene, negligible_height + kApproach * scene.impact.velocity);
+}
+
+double expected_time(const Scene& scene, Eigen::Index points, double gap) {
+  return scene.kind == SceneKind::kCollision ? impact_time(scene, gap)
+                                             : relaxation_time(scene, points);
+}
+
+}  // namespace impact

@@ -1,0 +1,176 @@
+#include "run/forecast.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "run/expected_time.hpp"
+#include "run/resolution.hpp"
+#include "scene/scene_parameters.hpp"
+
+namespace impact {
+namespace {
+
+/// Of a step of undamped velocity Verlet, as test/bench/bench_runs.cpp measures it (s): so much in
+/// any case, and so much a point, between 5·10⁻⁹ in the caches and 14·10⁻⁹ outside.
+constexpr double kStep = 3e-7;
+constexpr double kStepOfPoint = 8e-9;
+
+/// After a collision the disk is followed for about so long, times R/c_s: see SeparationEnd.
+constexpr double kFlight = 2.0;
+
+/// Largest eigenvalues of random lattices for k_a = m = 1 and η = m = 1.
+constexpr double kOmegaSquared = 8.0;
+constexpr double kGamma = 12.5;
+
+/// rk8pd takes steps of this over the highest frequency.
+constexpr double kStepOfRk8pd = 3.0;
+constexpr double kCostOfRk8pd = 14.0;
+
+/// bdf reports at intervals, each at this cost, and resolves a radian of the disk's swinging on the
+/// wall at that one.
+constexpr double kCostOfReport = 2.0;
+constexpr double kCostOfRadian = 240.0;
+
+/// The part of expected_time() after which a contact was at rest, for P = 2·10⁻⁴ … 10⁻².
+constexpr double kPartOfRelaxation = 0.25;
+
+/// An iteration of Newton's method: time (s) = this · N^kPowerOfIteration.
+constexpr double kIterations = 15.0;
+constexpr double kIteration = 4e-7;
+constexpr double kPowerOfIteration = 1.25;
+
+bool has_elastic_wall(const Scene& scene) {
+  return scene.kind == SceneKind::kCollision && scene.wall.kind == WallKind::kLattice;
+}
+
+Forecast of_static_solution(Eigen::Index points) {
+  return {kIterations,
+          kIterations * kIteration * std::pow(static_cast<double>(points), kPowerOfIteration)};
+}
+
+Spectrum typical_spectrum(const Scene& scene, double points) {
+  return {kOmegaSquared * scene.material.k_a * points, kGamma * scene.material.eta};
+}
+
+/// Steps of a run, and the time of one in steps of undamped velocity Verlet.
+struct Work {
+  double steps;
+  double cost_of_step;
+};
+
+/// The rate at which the wall's force changes: the disk swings on it, or meets it at its speed and
+/// rings.
+double rate_of_wall_force(const Scene& scene) {
+  if (scene.kind == SceneKind::kContact) return std::sqrt(scene.wall.a * scene.load.p);
+  return scene.wall.a * scene.impact.velocity + estimated_sound_speed(scene.material.k_a);
+}
+
+Work work_of_run(const Scene& scene, const Rates& rates, double time) {
+  const IntegratorKind integrator = scene.numerics.integrator;
+  if (integrator == IntegratorKind::kRk8pd) {
+    const double fastest =
+        std::sqrt(rates.lattice.omega_squared + rates.wall) + rates.lattice.gamma;
+    return {time * fastest / kStepOfRk8pd, kCostOfRk8pd};
+  }
+  const Resolution resolution =
+      scene.numerics.step
+          ? Resolution{integrator, dividing_resets(scene, *scene.numerics.step), 0.0}
+          : first_resolution(scene, rates);
+  if (integrator == IntegratorKind::kBdf) {
+    const double radians = resolution.step * rate_of_wall_force(scene);
+    return {time / resolution.step, kCostOfReport + kCostOfRadian * radians};
+  }
+  return {time / resolution.step, cost_of_step(scene, resolution.integrator)};
+}
+
+std::string text_of(double seconds) {
+  constexpr double kMinute = 60.0;
+  constexpr double kHour = 3600.0;
+  if (seconds < 2.0 * kMinute) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 2.0 * kHour) return fmt::format("{:.2g} min", seconds / kMinute);
+  return fmt::format("{:.2g} h", seconds / kHour);
+}
+
+Eigen::Index points_of(const Scene& scene) {
+  if (scene.kind != SceneKind::kStretch) return scene.disk.recipe.points;
+  constexpr double kMost = 1e6;  // a rectangle of more is refused by make_bodies()
+  const double area = scene.stretch.width * scene.stretch.height;
+  return static_cast<Eigen::Index>(std::min(kMost, scene.disk.recipe.points * area / M_PI));
+}
+
+Eigen::Index wall_points_of(const Scene& scene) {
+  return has_elastic_wall(scene) ? scene.wall.points : 0;
+}
+
+/// The keys whose defaults would at least halve the time, those that would most first.
+std::vector<std::string> causes(const Scene& scene, Eigen::Index points, Eigen::Index wall_points,
+                                double seconds) {
+  constexpr std::size_t kMost = 3;
+  std::vector<std::pair<double, std::string>> found;
+  for (const Parameter<Scene>& parameter : scene_parameters()) {
+    const bool is_the_question = parameter.key == "scene" || parameter.key == "wall.type";
+    if (!parameter.applies(scene) || is_the_question) continue;
+    Scene other = scene;
+    parameter.read(other, parameter.write(Scene{}));
+    const double time = other.has_recipes_only() ? forecast(other).seconds
+                                                 : forecast(other, points, wall_points).seconds;
+    if (time < 0.5 * seconds) found.emplace_back(time, parameter.key);
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<std::string> keys;
+  for (const auto& cause : found) {
+    if (keys.size() < kMost) keys.push_back(cause.second);
+  }
+  return keys;
+}
+
+}  // namespace
+
+Forecast forecast(const Scene& scene) {
+  return forecast(scene, points_of(scene), wall_points_of(scene));
+}
+
+Forecast forecast(const Scene& scene, Eigen::Index points, Eigen::Index wall_points) {
+  if (scene.is_static()) return of_static_solution(points);
+  const auto number = static_cast<double>(points);
+  const PotentialWall wall = repulsion(scene, points);
+  const Rates expected = rates(scene, typical_spectrum(scene, number), wall,
+                               static_cast<int>(points), estimated_sound_speed(scene.material.k_a));
+  double time = expected_time(
+      scene, points, gap_at_start(scene, wall.gap_of_energy(negligible_wall_energy(scene))));
+  double runs = 1.0;
+  if (scene.kind == SceneKind::kCollision) {
+    time += kFlight / expected.sound_speed;
+    if (!scene.numerics.are_given()) runs = kStepsOfAllRuns;
+  } else {
+    time *= kPartOfRelaxation;
+  }
+  const Work work = work_of_run(scene, expected, time);
+  const double of_step = kStep + kStepOfPoint * static_cast<double>(points + wall_points);
+  const double steps = runs * work.steps;
+  return {steps, steps * work.cost_of_step * of_step};
+}
+
+std::string text(const Forecast& forecast) {
+  return fmt::format("{:.2g} steps and {} on one processor", forecast.steps,
+                     text_of(forecast.seconds));
+}
+
+void refuse_if_too_long(const Scene& scene) {
+  refuse_if_too_long(scene, points_of(scene), wall_points_of(scene));
+}
+
+void refuse_if_too_long(const Scene& scene, Eigen::Index points, Eigen::Index wall_points) {
+  const Forecast expected = forecast(scene, points, wall_points);
+  if (expected.seconds <= scene.numerics.longest) return;
+  const std::vector<std::string> keys = causes(scene, points, wall_points, expected.seconds);
+  throw InputError(fmt::format(
+      "numerics.longest: this scene would take about {}{}, allowed: at most {} s", text(expected),
+      keys.empty() ? "" : fmt::format(" ({})", fmt::join(keys, ", ")), scene.numerics.longest));
+}
+
+}  // namespace impact
