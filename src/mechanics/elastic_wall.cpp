@@ -133,6 +133,17 @@ double ElasticWall::potential_energy(const ConstPoints& position) const {
   return energy;
 }
 
+double ElasticWall::energy_beside(const ConstPoints& position) const {
+  const auto left = position.row(surface_.front());
+  const auto right = position.row(surface_.back());
+  double energy = 0.0;
+  for (Eigen::Index i = 0; i < disk_points_; ++i) {
+    if (position(i, 0) < left.x()) energy += potential_at(position(i, 1) - left.y());
+    if (position(i, 0) > right.x()) energy += potential_at(position(i, 1) - right.y());
+  }
+  return energy;
+}
+
 template <class Use>
 void ElasticWall::for_each_contact(const ConstPoints& position, const Use& use) const {
   for (Eigen::Index i = 0; i < disk_points_; ++i) {

@@ -49,6 +49,10 @@ class ElasticWall : public WallContact {
   /// With the bond below each point as in the last evaluation.
   double potential_energy(const ConstPoints& position) const;
 
+  /// What the points of the disk beside the wall would hold if its surface went on level from its
+  /// ends (M c²).
+  double energy_beside(const ConstPoints& position) const;
+
   /// Energy that appeared because a point in reach came to another bond, or in or out of reach,
   /// from count to count so far (M c²): the sum of its changes, and of their sizes.
   double hops() const { return hops_; }

@@ -55,9 +55,9 @@ double negligible_static_force(const Scene& scene, Eigen::Index points, double s
   constexpr double kRounding = 2e-15;
   const double rounding_of_bonds = kRounding * scene.material.k_a;
   if (scene.kind == SceneKind::kStretch) {
-    const double on_one_bond = scene.material.k_a * std::abs(scene.stretch.strain) *
-                               std::sqrt(M_PI / scene.disk.recipe.points);
-    return std::max(0.01 * scene.numerics.error * on_one_bond, rounding_of_bonds);
+    const double x = std::abs(scene.stretch.strain) * std::sqrt(M_PI / scene.disk.recipe.points);
+    const double stiffness = scene.material.k_a + 3.0 * scene.material.k_b * x * x;
+    return stiffness * std::max(0.01 * scene.numerics.error * x, kRounding);
   }
   const double share = 1.0 / static_cast<double>(points);
   double rounding = rounding_of_bonds;

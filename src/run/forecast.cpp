@@ -40,6 +40,7 @@ constexpr double kPartOfRelaxation = 0.25;
 
 /// An iteration of Newton's method: time (s) = this · N^kPowerOfIteration.
 constexpr double kIterations = 15.0;
+constexpr double kIterationsOfRolling = 1000.0;  // with the search for other places of rest
 constexpr double kIteration = 4e-7;
 constexpr double kPowerOfIteration = 1.25;
 
@@ -47,9 +48,11 @@ bool has_elastic_wall(const Scene& scene) {
   return scene.kind == SceneKind::kCollision && scene.wall.kind == WallKind::kLattice;
 }
 
-Forecast of_static_solution(Eigen::Index points) {
-  return {kIterations,
-          kIterations * kIteration * std::pow(static_cast<double>(points), kPowerOfIteration)};
+Forecast of_static_solution(const Scene& scene, Eigen::Index points) {
+  const bool rolls = scene.kind == SceneKind::kContact && !scene.load.hold_rotation;
+  const double iterations = rolls ? kIterationsOfRolling : kIterations;
+  const double of_iteration = kIteration * std::pow(static_cast<double>(points), kPowerOfIteration);
+  return {iterations, iterations * of_iteration};
 }
 
 Spectrum typical_spectrum(const Scene& scene, double points) {
@@ -135,7 +138,7 @@ Forecast forecast(const Scene& scene) {
 }
 
 Forecast forecast(const Scene& scene, Eigen::Index points, Eigen::Index wall_points) {
-  if (scene.is_static()) return of_static_solution(points);
+  if (scene.is_static()) return of_static_solution(scene, points);
   const auto number = static_cast<double>(points);
   const PotentialWall wall = repulsion(scene, points);
   const Rates expected = rates(scene, typical_spectrum(scene, number), wall,

@@ -1,11 +1,14 @@
 #include "run/run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "mechanics/equilibrium_solver.hpp"
 #include "run/expected_time.hpp"
+#include "run/other_rests.hpp"
 
 namespace impact {
 namespace {
@@ -33,6 +36,14 @@ bool hops_matter(const Scene& scene, const Motion& motion) {
   const double impact_energy = 0.5 * scene.impact.velocity * scene.impact.velocity;
   return motion.field().elastic_wall &&
          motion.field().elastic_wall->hops_size() > kManyHops * impact_energy;
+}
+
+/// Whether a part of the disk that the wall would push lies beside it.
+bool is_beside_wall(const Scene& scene, const Motion& motion) {
+  const double impact_energy = 0.5 * scene.impact.velocity * scene.impact.velocity;
+  return motion.field().elastic_wall &&
+         motion.field().elastic_wall->energy_beside(motion.state().position) >
+             scene.numerics.error * impact_energy;
 }
 
 std::unique_ptr<Motion> make_motion(const Scene& scene, const Composition& composition,
@@ -118,11 +129,22 @@ double Run::tail_error() const {
 
 void Run::observe_search() {
   if (!search_->finished()) return;
-  if (!search_->found()) flags_.emplace_back(end_->flag_if_given_up());
+  if (!search_->found()) give_up_search();
   note_folds();
   if (folded_) flags_.emplace_back("folded");
+  note_other_rests();
   recorder_.add_step(*motion_);
   finished_ = true;
+}
+
+/// E and ν have no error control that looks at flags.
+void Run::give_up_search() {
+  if (scene_.kind == SceneKind::kStretch) {
+    throw RunFailure(
+        fmt::format("no state of rest was found: after {} steps a point still feels {:.1e} M c²/R",
+                    motion_->steps(), motion_->largest_static_force()));
+  }
+  flags_.emplace_back(end_->flag_if_given_up());
 }
 
 void Run::observe_step() {
@@ -150,6 +172,15 @@ void Run::observe_step() {
 void Run::look() {
   monitor_.check(*motion_);
   note_folds();
+  beside_wall_ = beside_wall_ || is_beside_wall(scene_, *motion_);
+}
+
+void Run::note_other_rests() {
+  if (scene_.kind != SceneKind::kContact || scene_.load.hold_rotation) return;
+  if (has_flag("not_at_rest")) return;
+  if (rests_elsewhere(scene_, *composition_, disk_state().position)) {
+    flags_.emplace_back("several_rests");
+  }
 }
 
 void Run::note_folds() {
@@ -168,7 +199,9 @@ void Run::finish() {
     flags_.emplace_back("energy_error");
   }
   if (folded_) flags_.emplace_back("folded");
+  if (beside_wall_) flags_.emplace_back("beside_wall");
   if (hops_matter(scene_, *motion_)) flags_.emplace_back("hops");
+  note_other_rests();
   if (motion_->halvings() > 0) flags_.emplace_back("step_reduced");
 }
 

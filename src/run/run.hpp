@@ -38,7 +38,8 @@ class Run {
   /// or to where `stop`, asked every 64 steps, says true. The output times do not touch the motion.
   /// Where the answer is static there is no motion: the first call goes to the static solution,
   /// which is the end, or to where `stop`, asked at each of its steps, says true.
-  /// @throw RunFailure when the energy balance breaks.
+  /// @throw RunFailure when the energy balance breaks, and when a stretched rectangle does not come
+  /// to rest.
   void advance(const std::function<bool()>& stop = {});
 
   /// To be called after each step of a motion that is moved from outside.
@@ -75,8 +76,10 @@ class Run {
   /// for the step, which was halved), `energy_error` (above numerics.error, where the
   /// scene gives step or tolerance, so that no error control looks after the answer), `folded` (a
   /// triangle of a lattice turned over at one of the looks that are taken every 64 steps and at the
-  /// end), `hops` (EnergyLedger::hops_size exceeds 1 % of the impact's energy), `not_separated` or
-  /// `not_at_rest` (given up).
+  /// end), `beside_wall` (at one of those looks a part of the disk lay beside an elastic wall,
+  /// where one that went on would have held more energy than numerics.error allows: the wall is too
+  /// narrow), `hops` (EnergyLedger::hops_size exceeds 1 % of the impact's energy), `several_rests`
+  /// (see rests_elsewhere()), `not_separated` or `not_at_rest` (given up).
   const std::vector<std::string>& flags() const { return flags_; }
   bool has_flag(const std::string& flag) const;
 
@@ -90,8 +93,10 @@ class Run {
 
  private:
   void observe_search();
+  void give_up_search();
   void look();
   void note_folds();
+  void note_other_rests();
   void finish();
 
   Scene scene_;
@@ -108,6 +113,7 @@ class Run {
   IntegratorKind integrator_;
   bool finished_ = false;
   bool folded_ = false;
+  bool beside_wall_ = false;
 };
 
 /// The search for the static solution of a scene that is solved without motion.

@@ -13,6 +13,9 @@ using Table = std::vector<P>;
 /// Rounding of positions, 10⁻¹⁶ R, is then less than 10⁻⁷ of the elongations of the bonds.
 constexpr double kLeastStrain = 1e-6;
 
+/// c. Rounding of positions then changes the energy by less than 10⁻² of the impact's.
+constexpr double kLeastVelocity = 1e-9;
+
 using Condition = std::function<bool(const Scene&)>;
 
 P only(const Condition& condition, P parameter) {
@@ -152,8 +155,9 @@ Table task_keys() {
                    "contact: hold the rigid rotation by a torque; false: it may roll",
                    [](auto& s) -> auto& { return s.load.hold_rotation; })),
           only(in(SceneKind::kCollision), real<Scene>(
-                                              "impact.velocity", "c", {0.0, 1.0, false},
-                                              "collision: speed towards the wall at the start",
+                                              "impact.velocity", "c", {kLeastVelocity, 1.0},
+                                              "collision: speed towards the wall at the start; "
+                                              "slower ones lose their energy in rounding",
                                               [](auto& s) -> auto& { return s.impact.velocity; })),
           only(in(SceneKind::kCollision),
                real_or_auto<Scene>(

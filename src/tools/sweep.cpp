@@ -22,6 +22,7 @@ void tell_if_long(const std::vector<Scene>& scenes) {
   Forecast all;
   for (const Scene& scene : scenes) {
     const Forecast expected = forecast(scene);
+    if (expected.seconds > scene.numerics.longest) return;  // refused before anything runs
     all.steps += expected.steps;
     all.seconds += expected.seconds;
   }

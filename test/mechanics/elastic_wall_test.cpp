@@ -263,6 +263,20 @@ TEST(Hop, HasTheEnergyBetweenTheTwoBonds) {
   EXPECT_NEAR(vertical.hops_size(), 0.0, 1e-16);
 }
 
+/// Two points beside a level surface, one at each side, as if it went on.
+TEST(EnergyBeside, IsThatOfALongerWall) {
+  PointArray position = PointArray::Zero(kDiskPoints + kSurfacePoints, 2);
+  for (int k = 0; k < kSurfacePoints; ++k) position(row_of(k), 0) = k;
+  position.col(0).head(kDiskPoints) = 3.0;
+  const auto energy = [&] {
+    return wall_at(position, GapMeasure::kNormal).energy_beside(position);
+  };
+  EXPECT_EQ(energy(), 0.0);
+  position.row(0) << -0.5, 0.1;
+  position.row(1) << 6.5, -0.2;
+  EXPECT_DOUBLE_EQ(energy(), kLaw.potential_at(0.1) + kLaw.potential_at(-0.2));
+}
+
 TEST(Contacts, AndReactionsAreOpposite) {
   for (const GapMeasure measure : {GapMeasure::kNormal, GapMeasure::kVertical}) {
     const PointArray position = random_configuration(11);

@@ -51,7 +51,7 @@ class ParametersTest(unittest.TestCase):
 
     def test_wrong_type(self):
         self.assert_simulation_refuses({'impact.velocity': 'fast'}, 'impact.velocity', 'fast',
-                                       'allowed: number in (0, 1]')
+                                       'allowed: number in [1e-09, 1]')
 
     def test_wrong_type_of_a_parameter_of_the_node(self):
         self.assert_simulation_refuses_own({'max_rate': 'high'}, 'max_rate', 'high',
@@ -67,11 +67,11 @@ class ParametersTest(unittest.TestCase):
 
     def test_out_of_range(self):
         self.assert_simulation_refuses({'impact.velocity': 2}, 'impact.velocity', 'got 2',
-                                       'allowed: number in (0, 1]')
+                                       'allowed: number in [1e-09, 1]')
 
     def test_one_value_of_a_series_out_of_range(self):
         self.assert_simulation_refuses({'impact.velocity': [0.01, 2]}, 'impact.velocity', 'got 2',
-                                       'allowed: number in (0, 1]')
+                                       'allowed: number in [1e-09, 1]')
 
     def test_scene_without_motion(self):
         self.assert_stops_at_the_door(
@@ -84,6 +84,11 @@ class ParametersTest(unittest.TestCase):
     def test_step_beyond_the_stability_limit(self):
         self.assert_simulation_refuses({'numerics.step': 1.0}, 'numerics.step', 'got 1',
                                        'allowed: ')
+
+    def test_scene_that_takes_too_long(self):
+        self.assert_simulation_refuses({'impact.velocity': [0.01, 1e-9], 'impact.gap': 100.0},
+                                       'numerics.longest: this scene would take about ',
+                                       '(impact.velocity, impact.gap)', 'at most 3600 s')
 
     def test_analysis_out_of_range(self):
         self.assert_analysis_refuses({'patience': -1}, 'patience', 'got -1',

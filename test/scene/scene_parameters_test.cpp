@@ -184,6 +184,11 @@ TEST(ToYaml, ReadsBackAnElasticWallAndAStretch) {
   EXPECT_EQ(to_yaml(stretch).find("wall"), std::string::npos);
 }
 
+TEST(ParseScene, RefusesSpeedsThatRoundingWouldSwallow) {
+  EXPECT_INPUT_ERROR(parse("{scene: collision, impact: {velocity: 1.0e-300}}"),
+                     "impact.velocity: got 1.0e-300, allowed: number in [1e-09, 1]");
+}
+
 TEST(OverrideKey, ReplacesOneKey) {
   FlatTree tree = keys("{scene: collision, impact: {velocity: 0.01}}");
   override_key(tree, "impact.velocity=0.05");

@@ -49,6 +49,14 @@ class RunSeries : public testing::Test {
   std::string path_ = testing::TempDir() + "series.csv";
 };
 
+/// Before the others have run.
+TEST_F(RunSeries, RefusesWhatTakesTooLong) {
+  EXPECT_INPUT_ERROR(run(scenes("{scene: collision, disk: {points: [40, 41]}, "
+                                "impact: {gap: 100, velocity: [0.5, 1e-9]}}")),
+                     "numerics.longest: this scene would take about ");
+  EXPECT_FALSE(std::filesystem::exists(path_));
+}
+
 TEST_F(RunSeries, WritesTheSameBytesForAnyNumberOfThreads) {
   run(small_scenes(), 1);
   const std::string of_one = content(path_);

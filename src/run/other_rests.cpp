@@ -1,0 +1,79 @@
+#include "run/other_rests.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+#include "measure/strain.hpp"
+#include "mechanics/equilibrium_solver.hpp"
+#include "run/end_of_run.hpp"
+
+namespace impact {
+namespace {
+
+/// The start of the scene with the disk turned counter-clockwise, its lowest point as high.
+State turned(const State& start, double angle) {
+  State state = start;
+  const Eigen::RowVector2d centre = start.position.colwise().mean();
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
+  state.position = (start.position.matrix().rowwise() - centre) * turn.transpose();
+  state.position.col(1) += start.position.col(1).minCoeff() - state.position.col(1).minCoeff();
+  return state;
+}
+
+/// Rotations (rad) at which the disk rests when it starts from these, at most as many as there are
+/// lanes; NaN: it does not come to rest.
+std::vector<double> rests_from(const std::vector<double>& angles, const Scene& scene,
+                               const Composition& composition) {
+  const StrainMeter meter(composition.bodies->disk.points);
+  const double tolerance = negligible_static_force(scene, composition.initial.position.rows(),
+                                                   composition.resolution.step);
+  std::vector<std::unique_ptr<EquilibriumSearch>> searches;
+  LaneEquilibriumSolver::Searches lanes{};
+  for (const double angle : angles) {
+    searches.push_back(std::make_unique<EquilibriumSearch>(
+        composition.field, turned(composition.initial, angle), tolerance));
+    lanes[searches.size() - 1] = searches.back().get();
+  }
+  LaneEquilibriumSolver solver;
+  const auto goes_on = [](const auto& search) { return !search->finished(); };
+  while (std::any_of(searches.begin(), searches.end(), goes_on)) solver.advance(lanes);
+  std::vector<double> rests;
+  for (const auto& search : searches) {
+    rests.push_back(search->found() ? meter.measure(search->state().position).rotation
+                                    : std::numeric_limits<double>::quiet_NaN());
+  }
+  return rests;
+}
+
+bool are_same(double rotation, double other) {
+  constexpr double kSame = 1e-3;  // rad
+  return std::abs(std::remainder(rotation - other, 2.0 * M_PI)) <= kSame;
+}
+
+}  // namespace
+
+bool rests_elsewhere(const Scene& scene, const Composition& composition, const PointArray& rest) {
+  constexpr int kStarts = LaneEquilibriumSolver::kSearches;
+  constexpr double kNudge = 0.02;  // rad
+  const double rotation = StrainMeter(composition.bodies->disk.points).measure(rest).rotation;
+  std::vector<double> starts;
+  for (int k = 0; k < kStarts; ++k) starts.push_back(rotation + kNudge + 2.0 * M_PI * k / kStarts);
+  std::vector<double> others;
+  for (const double other : rests_from(starts, scene, composition)) {
+    if (!std::isnan(other) && !are_same(other, rotation)) others.push_back(other);
+  }
+  if (others.empty()) return false;
+  std::vector<double> nudged = others;
+  for (double& other : nudged) other += kNudge;
+  const std::vector<double> again = rests_from(nudged, scene, composition);
+  return std::inner_product(others.begin(), others.end(), again.begin(), false, std::logical_or<>(),
+                            are_same);
+}
+
+}  // namespace impact
