@@ -134,10 +134,10 @@ class Equilibrium {
 
   PressedDisk disk_;
   Array reference_;
-  Array displacement_;  ///< of mean zero
-  Array direction_;     ///< of the held rotation
-  Eigen::Array<Real, Eigen::Dynamic, 1> height_;       ///< over the lowest point of the reference
-  Real shift_ = 0.0L;   ///< at which the wall's force is exp(−a y)
+  Array displacement_;                            ///< of mean zero
+  Array direction_;                               ///< of the held rotation
+  Eigen::Array<Real, Eigen::Dynamic, 1> height_;  ///< over the lowest point of the reference
+  Real shift_ = 0.0L;                             ///< at which the wall's force is exp(−a y)
   Vector force_;
   std::vector<Eigen::Triplet<Real>> entries_;
   Eigen::SimplicialLDLT<Matrix> factors_;

@@ -9,7 +9,7 @@ namespace impact {
 
 struct RandomScene {
   Scene scene;
-  int rejected;  ///< drawn before it and not of sensible size
+  int rejected = 0;  ///< drawn before it and not of sensible size
 };
 
 /// The scene of this number from the random scenes of a seed: of five in turn one contact, one
