@@ -9,8 +9,8 @@ namespace impact {
 struct PressedDisk {
   const Lattice& lattice;
   BondLaw law;
-  double wall_a;  ///< 1/R
-  double load;    ///< M c²/R
+  double wall_a = 0.0;  ///< 1/R
+  double load = 0.0;    ///< M c²/R
 };
 
 struct PreciseStrain {

@@ -3,6 +3,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -42,11 +43,12 @@ class Rk8pd::Solver {
     gsl_odeiv2_evolve_reset(evolve_.get());
   }
 
-  Losses step(ForceField& field, State& state, double h) {
+  Losses step(ForceField& field, State& state, double h, std::uint64_t most_inner_steps) {
     field_ = &field;
     const Losses before = form_.losses(y_.data());
     double time = 0.0;
-    while (time < h) {
+    for (std::uint64_t inner_steps = 0; time < h; ++inner_steps) {
+      if (inner_steps == most_inner_steps) throw std::runtime_error("rk8pd: too many steps");
       const int status = gsl_odeiv2_evolve_apply(evolve_.get(), control_.get(), step_.get(),
                                                  &system_, &time, h, &inner_step_, y_.data());
       if (status != GSL_SUCCESS) {
@@ -78,7 +80,8 @@ class Rk8pd::Solver {
   double inner_step_;
 };
 
-Rk8pd::Rk8pd(double tolerance, const Scales& scales) : tolerance_(tolerance), scales_(scales) {}
+Rk8pd::Rk8pd(double tolerance, const Scales& scales, std::uint64_t most_inner_steps)
+    : tolerance_(tolerance), scales_(scales), most_inner_steps_(most_inner_steps) {}
 
 Rk8pd::~Rk8pd() = default;
 
@@ -89,7 +92,7 @@ void Rk8pd::restart(ForceField& field, const State& state) {
 void Rk8pd::take_velocity(ForceField& /*field*/, const State& state) { solver_->take(state); }
 
 Losses Rk8pd::step(ForceField& field, State& state, double h) {
-  return solver_->step(field, state, h);
+  return solver_->step(field, state, h, most_inner_steps_);
 }
 
 double Rk8pd::step_limit(double /*omega_squared*/, double /*gamma*/) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <memory>
 
 #include "mechanics/first_order_form.hpp"
@@ -19,15 +21,17 @@ namespace impact {
 /// steps, and stiff damping is slow.
 class Rk8pd : public Integrator {
  public:
-  /// `tolerance` of the error of one inner step, in units of `scales`.
-  Rk8pd(double tolerance, const Scales& scales);
+  /// `tolerance` of the error of one inner step, in units of `scales`. `most_inner_steps`: of one
+  /// step(), before it gives up.
+  Rk8pd(double tolerance, const Scales& scales,
+        std::uint64_t most_inner_steps = std::numeric_limits<std::uint64_t>::max());
   Rk8pd(const Rk8pd&) = delete;
   Rk8pd& operator=(const Rk8pd&) = delete;
   ~Rk8pd() override;
 
   void restart(ForceField& field, const State& state) override;
   void take_velocity(ForceField& field, const State& state) override;
-  /// @throw std::runtime_error when no step is short enough.
+  /// @throw std::runtime_error when no step is short enough, or too many are needed.
   Losses step(ForceField& field, State& state, double h) override;
   double step_limit(double omega_squared, double gamma) const override;
 
@@ -36,6 +40,7 @@ class Rk8pd : public Integrator {
 
   double tolerance_;
   Scales scales_;
+  std::uint64_t most_inner_steps_;
   std::unique_ptr<Solver> solver_;
 };
 

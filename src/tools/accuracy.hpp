@@ -28,7 +28,7 @@ AccuracyTrial try_scene(const Scene& scene);
 /// A scene, its answer and the reference.
 struct AccuracyCheck {
   Scene scene;
-  int rejected;  ///< scenes drawn before it, see RandomScene
+  int rejected = 0;  ///< scenes drawn before it, see RandomScene
   ReferenceAnswer reference;
   AccuracyTrial trial;
 

@@ -96,12 +96,15 @@ double work_of(const Composition& composition) {
          rate;
 }
 
+/// At the start, or of a point where it comes into reach of an elastic wall.
 double wall_energy(const Composition& composition) {
   ForceField field = composition.field;
   PointArray force;
   field.resize(force);
   field.evaluate_undamped(composition.initial.position, force);
-  return field.wall_potential_energy(composition.initial.position);
+  const double at_start = field.wall_potential_energy(composition.initial.position);
+  if (!field.elastic_wall) return at_start;
+  return std::max(at_start, field.elastic_wall->potential_at(field.elastic_wall->threshold()));
 }
 
 bool is_sensible_impact(const Scene& scene) {

@@ -9,7 +9,7 @@ namespace impact {
 
 struct RandomScene {
   Scene scene;
-  int rejected;  ///< drawn before it and not of sensible size
+  int rejected = 0;  ///< drawn before it and not of sensible size
 };
 
 /// The scene of this number from the random scenes of a seed: of five in turn one contact, one
@@ -26,8 +26,9 @@ struct RandomScene {
 RandomScene random_scene(std::uint64_t seed, int number);
 
 /// Whether a scene of a lattice that can be made is of sensible size: v at most 0.3 √(k_a R²/M) and
-/// P at most 0.3 k_a R, so that the disk is not crushed; at the start less energy in the wall than
-/// in the motion; work_of() at most 5·10⁶.
+/// P at most 0.3 k_a R, so that the disk is not crushed; less energy in the wall than in the motion
+/// at the start, and of a point where it comes into reach of an elastic wall; work_of() at most
+/// 5·10⁶.
 bool is_sensible(const Scene& scene);
 
 /// On the potential wall damping counts as stiff where its fastest decay γ exceeds the fastest

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -26,7 +27,8 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Of a run, points times force evaluations.
 constexpr double kMostWork = 3e8;
-constexpr double kGoodEnough = 0.1;  // of the wanted error
+constexpr std::uint64_t kMostInnerSteps = 10000;  // where some ten are to be expected
+constexpr double kGoodEnough = 0.1;               // of the wanted error
 
 class ReferenceFailure : public std::runtime_error {
  public:
@@ -129,7 +131,7 @@ ReferenceAnswer impact_reference(const Scene& scene) {
     const double tolerance = std::max(0.1 * error, 100.0 * least_tolerance) * std::pow(10.0, -k);
     // Another interval of reports, so that the inner steps differ even where they end at it.
     return restitution(scene, composition, step / (1 + k),
-                       std::make_unique<Rk8pd>(tolerance, scales));
+                       std::make_unique<Rk8pd>(tolerance, scales, kMostInnerSteps));
   });
 }
 
@@ -140,7 +142,7 @@ PointArray rest_by_newton(const Composition& composition, double tolerance) {
   return search.state().position;
 }
 
-/// Damped motion until no static force exceeds a hundredth of the load's share of a point.
+/// Damped motion until no static force exceeds a tenth of the load's share of a point.
 PointArray rest_by_motion(const Composition& composition, double load) {
   constexpr double kMostTime = 1e4;
   constexpr std::uint64_t kLookSteps = 64;
@@ -153,7 +155,7 @@ PointArray rest_by_motion(const Composition& composition, double load) {
     if (simulation.time() > kMostTime)
       throw ReferenceFailure("damped motion does not come to rest");
   } while (simulation.steps() % kLookSteps != 0 ||
-           simulation.largest_static_force() > 0.01 * load / points);
+           simulation.largest_static_force() > 0.1 * load / points);
   return simulation.state().position;
 }
 

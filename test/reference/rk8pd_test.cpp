@@ -105,5 +105,12 @@ TEST(Rk8pd, SaysInOneLineThatItCannotGoOn) {
   }
 }
 
+TEST(Rk8pd, GivesUpAfterTheStatedNumberOfSteps) {
+  Oscillator oscillator(0.0);
+  Rk8pd integrator(1e-10, kScales, 3);
+  integrator.restart(oscillator.field, oscillator.state);
+  EXPECT_THROW(integrator.step(oscillator.field, oscillator.state, 100.0), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace impact
