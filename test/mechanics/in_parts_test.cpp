@@ -26,33 +26,30 @@ TEST(InParts, CoversEveryPointOnce) {
   }
 }
 
+/// How many parts, each slow enough for another thread to come, are not done by the calling one.
+int parts_elsewhere() {
+  std::atomic<int> elsewhere{0};
+  const auto here = std::this_thread::get_id();
+  in_parts(200000, [&](Eigen::Index /*part*/, Eigen::Index /*first*/, Eigen::Index /*size*/) {
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
+    if (std::this_thread::get_id() != here) ++elsewhere;
+  });
+  return elsewhere;
+}
+
 /// As in the workers of a sweep.
 TEST(InParts, StaysOnTheCallingThreadWhereOnlyOneIsAllowed) {
   const int threads = threads_in_a_run();
   threads_in_a_run() = 1;
-  std::atomic<int> elsewhere{0};
-  const auto here = std::this_thread::get_id();
-  in_parts(1000000, [&](Eigen::Index /*part*/, Eigen::Index /*first*/, Eigen::Index /*size*/) {
-    if (std::this_thread::get_id() != here) ++elsewhere;
-  });
+  EXPECT_EQ(parts_elsewhere(), 0);
   threads_in_a_run() = threads;
-  EXPECT_EQ(elsewhere, 0);
 }
 
 /// Sooner or later; on a machine with one processor there is no other thread.
 TEST(InParts, SharesOutToAnotherThread) {
   if (std::thread::hardware_concurrency() < 2) GTEST_SKIP();
-  const int threads = threads_in_a_run();
-  threads_in_a_run() = 2;
-  std::atomic<int> elsewhere{0};
-  const auto here = std::this_thread::get_id();
-  for (int k = 0; k < 1000 && elsewhere == 0; ++k) {
-    in_parts(1000000, [&](Eigen::Index /*part*/, Eigen::Index /*first*/, Eigen::Index /*size*/) {
-      std::this_thread::sleep_for(std::chrono::microseconds(10));
-      if (std::this_thread::get_id() != here) ++elsewhere;
-    });
-  }
-  threads_in_a_run() = threads;
+  int elsewhere = 0;
+  for (int k = 0; k < 1000 && elsewhere == 0; ++k) elsewhere = parts_elsewhere();
   EXPECT_GT(elsewhere, 0);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "measure/elastic_constants.hpp"
@@ -260,18 +261,21 @@ TEST(Contact, DefaultDiskComesToRest) {
 /// A slow impact keeps every triangle upright; a fast one folds the lattice where it hits, which
 /// takes up the energy, and is flagged.
 /// On a stiff wall a free disk rolls to one valley of its energy or another, depending on where it
-/// starts; this one on a soft wall has a single valley, as searches from 64 orientations found, of
-/// which one ended on the ridge.
+/// starts. The disk of seed 1 on a soft wall has a single valley, as searches from 64 orientations
+/// found; with seed 338 one search ends on the ridge, which is no place of rest.
 TEST(Contact, SaysWhetherARollingDiskRestsElsewhere) {
-  for (const double a : {30.0, 300.0}) {
+  const std::tuple<double, std::uint64_t, bool> cases[] = {
+      {300.0, 1, true}, {30.0, 1, false}, {30.0, 338, false}};
+  for (const auto& [a, seed, several] : cases) {
     Scene scene;
     scene.kind = SceneKind::kContact;
+    scene.seed = seed;
     scene.disk.recipe.points = 100;
     scene.wall.a = a;
     scene.load.hold_rotation = false;
     impact::Run free(scene);
     free.advance();
-    EXPECT_EQ(free.has_flag("several_rests"), a > 100.0) << a;
+    EXPECT_EQ(free.has_flag("several_rests"), several) << a << ", seed " << seed;
     scene.load.hold_rotation = true;
     impact::Run held(scene);
     held.advance();
