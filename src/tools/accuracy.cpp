@@ -18,6 +18,8 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kMostWork = 1e9;  // points times force evaluations
 constexpr double kKnown = 0.1;     // of the wanted error, what the reference may err by
+/// Times the error of a poor reference: what an answer must be off to be certainly wrong.
+constexpr double kCertain = 10.0;
 constexpr double kFactor = 100.0;
 
 /// Adds up the work of all runs of an experiment.
@@ -80,12 +82,13 @@ double AccuracyCheck::true_error() const { return std::abs(trial.answer / refere
 
 Verdict verdict(const AccuracyCheck& check) {
   const double wanted = check.scene.numerics.error;
+  const double doubt = check.reference.error;
   if (!check.answered()) return Verdict::kRefused;
-  if (std::isinf(check.reference.error)) return Verdict::kNoReference;
-  if (!(check.true_error() - check.reference.error <= wanted)) return Verdict::kBroken;
-  if (check.reference.error > wanted) return Verdict::kUndefined;
-  if (check.reference.error > kKnown * wanted) return Verdict::kNoReference;
-  return Verdict::kKept;
+  if (std::isinf(doubt)) return Verdict::kNoReference;
+  const bool known = doubt <= kKnown * wanted;
+  if (!(check.true_error() <= wanted + (known ? doubt : kCertain * doubt))) return Verdict::kBroken;
+  if (known) return Verdict::kKept;
+  return doubt > wanted ? Verdict::kUndefined : Verdict::kNoReference;
 }
 
 std::string name_of(Verdict verdict) {

@@ -40,7 +40,7 @@ struct AccuracyCheck {
 /// What the reference says of an answer.
 enum class Verdict {
   kKept,         ///< it errs by no more than the wanted error
-  kBroken,       ///< it errs by more, whatever the reference's own error
+  kBroken,       ///< it errs by more, and by far more than a poor reference may
   kUndefined,    ///< references differ by more than the wanted error
   kNoReference,  ///< there is no reference to a tenth of the wanted error
   kRefused       ///< there is no answer

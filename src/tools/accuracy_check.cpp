@@ -10,13 +10,16 @@
 #include <fstream>
 #include <future>
 #include <map>
+#include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "lattice/input_error.hpp"
 #include "scene/scene_parameters.hpp"
 #include "tools/accuracy.hpp"
+#include "tools/interruption.hpp"
 #include "tools/program.hpp"
 #include "tools/progress_bar.hpp"
 #include "tools/random_scene.hpp"
@@ -32,20 +35,24 @@ AccuracyCheck check(std::uint64_t seed, int number) {
   return {random.scene, random.rejected, reference_answer(random.scene), try_scene(random.scene)};
 }
 
+/// All or, after an interruption, those that had begun, which are the first ones.
 Checks check_all(std::uint64_t seed, int scenes, int jobs) {
   boost::asio::thread_pool pool(static_cast<std::size_t>(jobs));
-  std::vector<std::future<AccuracyCheck>> futures;
+  std::vector<std::future<std::optional<AccuracyCheck>>> futures;
   futures.reserve(static_cast<std::size_t>(scenes));
   for (int number = 0; number < scenes; ++number) {
     futures.push_back(boost::asio::post(
-        pool, boost::asio::use_future([seed, number] { return check(seed, number); })));
+        pool, boost::asio::use_future([seed, number]() -> std::optional<AccuracyCheck> {
+          if (interrupted()) return std::nullopt;
+          return check(seed, number);
+        })));
   }
   ProgressBar bar(futures.size());
   Checks checks;
   checks.reserve(futures.size());
   for (auto& future : futures) {
     bar.show(checks.size());
-    checks.push_back(future.get());
+    if (auto done = future.get()) checks.push_back(*std::move(done));
   }
   return checks;
 }
@@ -104,11 +111,13 @@ Checks of_kind(const Checks& checks, const std::string& kind) {
 void print_row(const std::string& name, const Checks& checks) {
   std::map<Verdict, int> counts = count_verdicts(checks);
   const std::vector<double> errors = errors_over_wanted(checks);
-  fmt::print("{:<15} {:>6}  {:>8}  {:>5}  {:>6}  {:>9}  {:>12}  {:>8.2g} {:>8.2g} {:>8.2g}\n", name,
-             checks.size(), static_cast<int>(checks.size()) - counts[Verdict::kRefused],
-             counts[Verdict::kKept], counts[Verdict::kBroken], counts[Verdict::kUndefined],
-             counts[Verdict::kNoReference], quantile(errors, 0.5), quantile(errors, 0.9),
-             quantile(errors, 1.0));
+  const int answered = static_cast<int>(checks.size()) - counts[Verdict::kRefused];
+  fmt::print(
+      "{:<15} {:>6}  {:>8} {:>6.1f} %  {:>5}  {:>6}  {:>9}  {:>12}  {:>8.2g} {:>8.2g} {:>8.2g}\n",
+      name, checks.size(), answered, 100.0 * answered / static_cast<double>(checks.size()),
+      counts[Verdict::kKept], counts[Verdict::kBroken], counts[Verdict::kUndefined],
+      counts[Verdict::kNoReference], quantile(errors, 0.5), quantile(errors, 0.9),
+      quantile(errors, 1.0));
 }
 
 void print_quality(const std::string& name, const Checks& checks) {
@@ -131,7 +140,8 @@ void print_by_kind(const Checks& checks, void (*print)(const std::string&, const
 
 void print_summary(const Checks& checks) {
   fmt::print(
-      "kind            scenes  answered   kept  broken  undefined  no reference  true over wanted "
+      "kind            scenes  answered             kept  broken  undefined  no reference  true "
+      "over wanted "
       "error: median, 90 %, greatest\n");
   print_by_kind(checks, &print_row);
   fmt::print(
@@ -166,11 +176,13 @@ void check_accuracy(std::uint64_t seed, int scenes, int jobs, const std::string&
   if (!std::ofstream(output, std::ios::app)) {
     throw InputError(fmt::format("--output: {} cannot be written", output));
   }
+  take_interruptions();
   const Checks checks = check_all(seed, scenes, jobs);
   table_of(checks).write(output);
   print_summary(checks);
   print_refusals(checks);
   print_answers_in_doubt(checks);
+  if (interrupted()) throw std::runtime_error("interrupted");
   if (const int broken = count_verdicts(checks)[Verdict::kBroken]; broken > 0) {
     throw std::runtime_error(fmt::format("{} answers err by more than was asked for", broken));
   }

@@ -32,8 +32,9 @@ RandomScene random_scene(std::uint64_t seed, int number);
 bool is_sensible(const Scene& scene);
 
 /// On the potential wall damping counts as stiff where its fastest decay γ exceeds the fastest
-/// vibration ω by this factor: there implicit methods cost less than explicit ones.
-constexpr double kStiffDamping = 20.0;
+/// vibration ω, with the wall at its stiffest, by this factor: there implicit methods cost less
+/// than explicit ones.
+constexpr double kStiffDamping = 100.0;
 
 /// Forecast of the work of one run: points times the expected time in units of 1/(ω + γ), with the
 /// wall at its stiffest and no more than stiff damping.

@@ -94,10 +94,10 @@ double restitution(const Scene& scene, const Composition& composition, double st
   return simulation.state().velocity.col(1).head(disk).mean() / scene.impact.velocity;
 }
 
-/// The last of up to three values of rising precision, and how it differs from the one before.
+/// The last of up to four values of rising precision, and how it differs from the one before.
 ReferenceAnswer converged(const std::string& method, double wanted_error,
                           const std::function<double(int)>& value) {
-  constexpr int kMostValues = 3;
+  constexpr int kMostValues = 4;
   double last = value(0);
   double error = kInfinity;
   for (int k = 1; k < kMostValues && !(error <= kGoodEnough * wanted_error); ++k) {
@@ -115,8 +115,9 @@ ReferenceAnswer impact_reference(const Scene& scene) {
   const Rates& rates = composition.rates;
   const double omega = std::sqrt(rates.lattice.omega_squared);
   const double error = scene.numerics.error;
-  if (!composition.bodies->wall && rates.lattice.gamma > kStiffDamping * omega) {
-    const double step = dividing_resets(composition.field, 0.5 / omega);
+  const double on_wall = std::sqrt(rates.lattice.omega_squared + rates.wall);
+  if (!composition.bodies->wall && rates.lattice.gamma > kStiffDamping * on_wall) {
+    const double step = 0.25 / on_wall;
     return converged("extrapolated_damping", error, [&](int k) {
       return restitution(scene, composition, std::ldexp(step, -k),
                          std::make_unique<ExtrapolatedDamping>());
@@ -128,7 +129,8 @@ ReferenceAnswer impact_reference(const Scene& scene) {
   const double least_tolerance = 3e-14 / scales.length;
   const double step = dividing_resets(composition.field, 10.0 / (omega + rates.lattice.gamma));
   return converged("rk8pd", error, [&](int k) {
-    const double tolerance = std::max(0.1 * error, 100.0 * least_tolerance) * std::pow(10.0, -k);
+    const double first = std::max(0.1 * error, 100.0 * least_tolerance);
+    const double tolerance = std::max(first * std::pow(10.0, -k), least_tolerance);
     // Another interval of reports, so that the inner steps differ even where they end at it.
     return restitution(scene, composition, step / (1 + k),
                        std::make_unique<Rk8pd>(tolerance, scales, kMostInnerSteps));

@@ -40,7 +40,8 @@ TEST(Verdict, RespectsTheErrorOfTheReference) {
   EXPECT_EQ(verdict(made_up(1.05, 0.5, 0.1)), Verdict::kKept);
   EXPECT_EQ(verdict(made_up(0.9, 0.5, 0.2)), Verdict::kNoReference);
   EXPECT_EQ(verdict(made_up(2.0, 0.5, 5.0)), Verdict::kUndefined);
-  EXPECT_EQ(verdict(made_up(10.0, 0.5, 5.0)), Verdict::kBroken);
+  EXPECT_EQ(verdict(made_up(50.0, 0.5, 5.0)), Verdict::kUndefined);
+  EXPECT_EQ(verdict(made_up(52.0, 0.5, 5.0)), Verdict::kBroken);
   EXPECT_EQ(verdict(made_up(0.9, 0.5, std::numeric_limits<double>::infinity())),
             Verdict::kNoReference);
 }
