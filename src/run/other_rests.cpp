@@ -44,6 +44,7 @@ std::vector<double> rests_from(const std::vector<double>& angles, const Scene& s
   const auto goes_on = [](const auto& search) { return !search->finished(); };
   while (std::any_of(searches.begin(), searches.end(), goes_on)) solver.advance(lanes);
   std::vector<double> rests;
+  rests.reserve(searches.size());
   for (const auto& search : searches) {
     rests.push_back(search->found() ? meter.measure(search->state().position).rotation
                                     : std::numeric_limits<double>::quiet_NaN());
@@ -51,19 +52,21 @@ std::vector<double> rests_from(const std::vector<double>& angles, const Scene& s
   return rests;
 }
 
-bool are_same(double rotation, double other) {
+bool are_same(double first, double second) {
   constexpr double kSame = 1e-3;  // rad
-  return std::abs(std::remainder(rotation - other, 2.0 * M_PI)) <= kSame;
+  return std::abs(std::remainder(first - second, 2.0 * M_PI)) <= kSame;
 }
 
 }  // namespace
 
 bool rests_elsewhere(const Scene& scene, const Composition& composition, const PointArray& rest) {
-  constexpr int kStarts = LaneEquilibriumSolver::kSearches;
+  constexpr std::size_t kStarts = LaneEquilibriumSolver::kSearches;
   constexpr double kNudge = 0.02;  // rad
   const double rotation = StrainMeter(composition.bodies->disk.points).measure(rest).rotation;
-  std::vector<double> starts;
-  for (int k = 0; k < kStarts; ++k) starts.push_back(rotation + kNudge + 2.0 * M_PI * k / kStarts);
+  std::vector<double> starts(kStarts, rotation + kNudge);
+  for (std::size_t k = 0; k < kStarts; ++k) {
+    starts[k] += 2.0 * M_PI * static_cast<double>(k) / kStarts;
+  }
   std::vector<double> others;
   for (const double other : rests_from(starts, scene, composition)) {
     if (!std::isnan(other) && !are_same(other, rotation)) others.push_back(other);
