@@ -131,7 +131,7 @@ bool ErrorControl::accepts(const FinishedImpact& run) {
     go_on(kRefinement);
     return false;
   }
-  conclude(run.tail_error +
+  conclude(run.tail_error + run.error_by_hops * std::min(1.0, way_in(run.step)) +
            kRoundingOfImpact * kEpsilon * std::sqrt(static_cast<double>(run.steps)));
   accepted_ = estimated_error_ <= scene_.numerics.error;
   if (!accepted_) refine_by_estimate(run);
@@ -155,12 +155,16 @@ void ErrorControl::note_manners(const FinishedImpact& run) {
 
 std::size_t ErrorControl::runs_needed() const { return erratic_ ? 4 : 3; }
 
+/// How far the disk comes in a step (R/c), in ranges 1/a of the wall.
+double ErrorControl::way_in(double step) const {
+  return scene_.wall.a * scene_.impact.velocity * step;
+}
+
 /// The order that the latest runs may show.
 std::optional<int> ErrorControl::order() const {
   constexpr double kLongestWay = 0.5;
-  const double longest_step = runs_[runs_.size() - 3].resolution.step;
-  const double way = scene_.wall.a * scene_.impact.velocity * longest_step;
-  if (erratic_ || irregular_ || way > kLongestWay || is_adaptive(resolution_.integrator)) {
+  const double longest_way = way_in(runs_[runs_.size() - 3].resolution.step);
+  if (erratic_ || irregular_ || longest_way > kLongestWay || is_adaptive(resolution_.integrator)) {
     return std::nullopt;
   }
   return order_of(resolution_.integrator);

@@ -42,7 +42,8 @@ struct FinishedImpact {
 ///   four runs are compared,
 /// - for an adaptive integrator, the tolerance of which stands for the square of a step.
 /// To the error is added what the wall does before the start and after the end of a run,
-/// Run::tail_error(), and rounding, 16 ε √steps (ε: spacing of doubles): twice to ten times the
+/// Run::tail_error(), what hops leave open, since a step sees them late (their energy times a v h),
+/// and rounding, 16 ε √steps (ε: spacing of doubles): twice to ten times the
 /// scatter of e for other wall.V0, v = 10⁻⁶ … 10⁻² c. A start that turns out too near to the wall,
 /// since little speed is left after the impact, is lifted.
 ///
@@ -105,6 +106,7 @@ class ErrorControl {
   bool starts_too_near(const FinishedImpact& run);
   void note_manners(const FinishedImpact& run);
   std::size_t runs_needed() const;
+  double way_in(double step) const;
   std::optional<int> order() const;
   void conclude(double noise);
   void refine_by_estimate(const FinishedImpact& run);
