@@ -31,8 +31,13 @@ constexpr double kRestTolerance = 1e-3;
 /// η* = 1 … 100.
 constexpr double kExtrapolatedError = 2.4e-4;
 constexpr double kExtrapolatedDampedError = 3e-5;
-/// Of a v h: the step up to which methods show their order.
+/// Of a v h: the step up to which methods of order 2 show their order.
 constexpr double kLongestWay = 0.5;
+/// The same for the shortest of three steps of order 6: their errors are so small that they need
+/// not be extrapolated. And the error that comparing the three then gives, over (a v h)⁶, as
+/// measured on the default disk at 0.05 c.
+constexpr double kLongestWayOfOrder6 = 0.6;
+constexpr double kComparedError = 1e-8;
 
 /// Runs of an answer before the one that is expected to be the last, and how much coarser the first
 /// of them is.
@@ -73,11 +78,15 @@ double expected_step(const Scene& scene, IntegratorKind integrator, const Rates&
   const double longest = longest_step(scene, integrator, rates);
   if (scene.kind != SceneKind::kCollision) return round_step_down(longest, kUnit);
   const double wall_rate = scene.wall.a * scene.impact.velocity;
-  double step = std::min(longest, kLongestWay / wall_rate) / kCoarsest;
+  const double wanted = 0.5 * scene.numerics.error;
+  double way = 0.0;
   if (order_of(integrator) == 2) {
     const double coefficient = scene.is_damped() ? kExtrapolatedDampedError : kExtrapolatedError;
-    step = std::min(step, std::pow(0.5 * scene.numerics.error / coefficient, 0.25) / wall_rate);
+    way = std::min(kLongestWay / kCoarsest, std::pow(wanted / coefficient, 1.0 / 4.0));
+  } else {
+    way = std::min(kLongestWayOfOrder6, std::pow(wanted / kComparedError, 1.0 / 6.0));
   }
+  const double step = std::min(longest / kCoarsest, way / wall_rate);
   return round_step_down(step, unit_of(integrator));
 }
 

@@ -72,10 +72,12 @@ constexpr double kStepsOfAllRuns = 1.0 + 1.0 / kRefinement + 1.0 / (kRefinement 
 /// velocity Verlet and Blanes–Moan; with damping velocity Verlet, implicit and extrapolated
 /// damping) the one of least cost, force evaluations and linear solutions counted, at the step that
 /// is likely to give the wanted error. In a collision two more runs come before, with steps 1.2
-/// and 1.2² times as long. The longest of the three is at most 0.5/(a v), so that they show the
-/// order of the method, and 0.96 of the stability limit, the wall at its expected stiffest counted,
-/// and 0.1 R/c. For methods of order 2 the error of the extrapolated e, as it is estimated, is
-/// 2.4·10⁻⁴ (a v h)⁴ of the shortest, with damping 3·10⁻⁵ (a v h)⁴ (measured on impacts on the
+/// and 1.2² times as long. The longest of the three is at most 0.96 of the stability limit, the
+/// wall at its expected stiffest counted, and 0.1 R/c. For methods of order 2 it is at most 0.5/(a
+/// v), so that the three show their order, and the error of the extrapolated e, as it is estimated,
+/// is 2.4·10⁻⁴ (a v h)⁴ of the shortest, with damping 3·10⁻⁵ (a v h)⁴. For those of order 6 the
+/// shortest is at most 0.6/(a v), and the three compared give an error of 10⁻⁸ (a v h)⁶
+/// (coefficients as measured on impacts of the default disk on the
 /// potential wall); half of numerics.error is aimed at. The shortest step is a multiple or a whole
 /// part of 0.02 R/c, so that the usual output periods are multiples of it.
 ///
