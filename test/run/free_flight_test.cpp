@@ -98,7 +98,7 @@ Scene small_scene() {
 
 /// Of the small disk about its centre of mass.
 double inertia() {
-  const PointArray& points = make_bodies(small_scene())->disk.points;
+  const PointArray points = make_bodies(small_scene())->disk.points;
   return (points.rowwise() - points.colwise().mean()).square().sum() / 60.0;
 }
 
