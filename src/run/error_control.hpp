@@ -41,6 +41,7 @@ struct FinishedImpact {
 /// - where the lattice folds, or the wall is cut off at wall.threshold: these scatter most, and
 ///   four runs are compared,
 /// - for an adaptive integrator, the tolerance of which stands for the square of a step.
+/// What the wall still holds at the end of a run is counted as velocity.
 /// To the error is added what the wall does before the start and after the end of a run,
 /// Run::tail_error(), what hops leave open, since a step sees them late (their energy times a v h),
 /// and rounding, 16 ε √steps (ε: spacing of doubles): twice to ten times the

@@ -98,6 +98,20 @@ TEST(Answer, CountsTheTailOfTheWallAgainstWhatIsLeft) {
   EXPECT_LT(lifted.run().restitution_bound(), 1.0 + 1e-7);
 }
 
+/// At the end of a run the wall still holds up to ε/100 of the energy of a slow disk. Counted as
+/// velocity, what is left of that error is less than a tenth.
+TEST(Answer, CountsWhatTheWallStillHoldsAtTheEnd) {
+  const std::vector<std::string> keys{"disk.points=100", "impact.velocity=0.003", "impact.gap=0.2"};
+  std::vector<std::string> rough = keys;
+  rough.emplace_back("numerics.error=1e-3");
+  std::vector<std::string> fine = keys;
+  fine.emplace_back("numerics.error=1e-9");
+  const Experiment answer = performed(scene_of("collision", rough));
+  const double true_value = performed(scene_of("collision", fine)).answer();
+  EXPECT_LT(std::abs(answer.answer() - true_value),
+            0.1 * std::abs(answer.restitution_of_run().restitution - true_value));
+}
+
 /// ξ of a light load is known as far as positions can be told apart: whatever V₀ shifts the disk
 /// by, it is the same within the estimates.
 TEST(Answer, OfALightLoadHasTheErrorOfRounding) {
