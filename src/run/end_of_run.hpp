@@ -22,8 +22,8 @@ class EndOfRun {
 };
 
 /// The disk has left the wall for good: the wall has held more than the negligible energy of
-/// compose.hpp, and from now on its energy cannot exceed numerics.error/100 of that of the centre
-/// of mass, which moves away (see FreeFlight). Looked at every 16 steps.
+/// expected_time.hpp, and from now on its energy cannot exceed numerics.error/100 of that of the
+/// centre of mass, which moves away (see FreeFlight). Looked at every 16 steps.
 class SeparationEnd : public EndOfRun {
  public:
   SeparationEnd(const Scene& scene, const Composition& composition);

@@ -176,9 +176,9 @@ double ErrorControl::way_in(double step) const {
 
 /// The order that the latest runs may show.
 std::optional<int> ErrorControl::order() const {
-  constexpr double kLongestWay = 0.5;
   const double longest_way = way_in(runs_[runs_.size() - 3].resolution.step);
-  if (erratic_ || irregular_ || longest_way > kLongestWay || is_adaptive(resolution_.integrator)) {
+  if (erratic_ || irregular_ || longest_way > kLongestResolvedWay ||
+      is_adaptive(resolution_.integrator)) {
     return std::nullopt;
   }
   return order_of(resolution_.integrator);
@@ -227,7 +227,7 @@ void ErrorControl::refine_by_estimate(const FinishedImpact& run) {
                                          : order_of(resolution_.integrator);
   const double factor = std::max(kRefinement, std::pow(excess, 1.0 / power));
   if (go_over(resolution_.step / factor)) return;
-  refine(std::min(factor, is_extrapolated ? kMostRefinement : kMostBlindRefinement));
+  shorten(std::min(factor, is_extrapolated ? kMostRefinement : kMostBlindRefinement));
 }
 
 bool ErrorControl::accepts_contact(const Run& run) {
@@ -265,7 +265,10 @@ bool ErrorControl::go_over(double step) {
 }
 
 void ErrorControl::refine(double factor) {
-  if (go_over(resolution_.step / factor)) return;
+  if (!go_over(resolution_.step / factor)) shorten(factor);
+}
+
+void ErrorControl::shorten(double factor) {
   resolution_ = finer(scene_, resolution_, factor);
   if (is_adaptive(resolution_.integrator)) {
     if (resolution_.tolerance < kLeastTolerance) {

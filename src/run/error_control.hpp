@@ -103,6 +103,7 @@ class ErrorControl {
   void go_on(double factor);
   void refine(double factor);
   bool go_over(double step);
+  void shorten(double factor);
   bool accepts_contact(const Run& run);
   bool starts_too_near(const FinishedImpact& run);
   void note_manners(const FinishedImpact& run);

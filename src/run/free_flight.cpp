@@ -120,7 +120,7 @@ InnerBounds FreeFlight::bounds(const InnerMotion& motion) const {
   InnerBounds bounds{};
   bounds.hold = x <= kFirstOrder * spacing_ && displacement <= kLargestDisplacement * gyration &&
                 std::isfinite(bodies_->flexibility.compliance);
-  bounds.swing = std::sqrt(bodies_->flexibility.compliance) * x * (1.0 + x / spacing_);
+  bounds.swing = swing(bodies_->flexibility, x);
   const double least_gyration = gyration - displacement;
   if (damped) {
     bounds.clockwise = bounds.counter_clockwise = std::sqrt(2.0 * all) / least_gyration;
@@ -160,9 +160,8 @@ FreeFlight::Surface FreeFlight::clamped_surface(double elongation) const {
   const double length = wall.lattice.points(wall.sides.top.back(), 0) -
                         wall.lattice.points(wall.sides.top.front(), 0);
   const double chain = 0.5 * length + elongation * std::sqrt(0.5 * bonds);
-  const double swing = 2.0 * std::sqrt(bodies_->wall_flexibility.compliance) * elongation *
-                       (1.0 + elongation / spacing_);
-  return {elongation <= spacing_ ? std::min(swing, chain) : chain, 0.0};
+  const double rise = 2.0 * swing(bodies_->wall_flexibility, elongation);
+  return {elongation <= spacing_ ? std::min(rise, chain) : chain, 0.0};
 }
 
 FreeFlight::Surface FreeFlight::free_surface(const PointArray& shape, const ConstPoints& position,
@@ -174,14 +173,18 @@ FreeFlight::Surface FreeFlight::free_surface(const PointArray& shape, const Cons
   const double x = elongation(energy);
   if (x <= spacing_ && std::isfinite(bodies_->wall_flexibility.compliance)) {
     const double angle = rigid_rotation(reference, position);
-    const double swing = std::sqrt(bodies_->wall_flexibility.compliance) * x * (1.0 + x / spacing_);
     const double lever = reference.col(0).abs().maxCoeff();
     const double inertia = reference.square().sum() / static_cast<double>(reference_.rows());
-    return {centre + turned_heights(reference, angle).maxCoeff() + swing,
-            std::sqrt(2.0 * energy * (1.0 / mass + lever * lever / inertia))};
+    return {
+        centre + turned_heights(reference, angle).maxCoeff() + swing(bodies_->wall_flexibility, x),
+        std::sqrt(2.0 * energy * (1.0 / mass + lever * lever / inertia))};
   }
   if (!wall_tethers_) wall_tethers_.emplace(bodies_->wall->lattice);
   return {centre + wall_tethers_->largest_distance(x), std::sqrt(2.0 * energy / mass)};
+}
+
+double FreeFlight::swing(const Flexibility& body, double elongation) const {
+  return std::sqrt(body.compliance) * elongation * (1.0 + elongation / spacing_);
 }
 
 double FreeFlight::elongation(double energy) const {

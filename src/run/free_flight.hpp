@@ -100,6 +100,8 @@ class FreeFlight {
   Surface free_surface(const PointArray& shape, const ConstPoints& position, double energy);
   bool wall_rests(const Motion& motion, double energy);
   double elongation(double energy) const;
+  /// How far a point of this body may come out of place (R), X being the elongation.
+  double swing(const Flexibility& body, double elongation) const;
   WallAbove wall_above(const Motion& motion, double limit) const;
 
   Scene scene_;

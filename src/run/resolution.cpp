@@ -31,9 +31,7 @@ constexpr double kRestTolerance = 1e-3;
 /// η* = 1 … 100.
 constexpr double kExtrapolatedError = 2.4e-4;
 constexpr double kExtrapolatedDampedError = 3e-5;
-/// Of a v h: the step up to which methods of order 2 show their order.
-constexpr double kLongestWay = 0.5;
-/// The same for the shortest of three steps of order 6: their errors are so small that they need
+/// Of a v h, for the shortest of three steps of order 6: their errors are so small that they need
 /// not be extrapolated. And the error that comparing the three then gives, over (a v h)⁶, as
 /// measured on the default disk at 0.05 c.
 constexpr double kLongestWayOfOrder6 = 0.6;
@@ -82,7 +80,7 @@ double expected_step(const Scene& scene, IntegratorKind integrator, const Rates&
   double way = 0.0;
   if (order_of(integrator) == 2) {
     const double coefficient = scene.is_damped() ? kExtrapolatedDampedError : kExtrapolatedError;
-    way = std::min(kLongestWay / kCoarsest, std::pow(wanted / coefficient, 1.0 / 4.0));
+    way = std::min(kLongestResolvedWay / kCoarsest, std::pow(wanted / coefficient, 1.0 / 4.0));
   } else {
     way = std::min(kLongestWayOfOrder6, std::pow(wanted / kComparedError, 1.0 / 6.0));
   }

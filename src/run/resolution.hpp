@@ -60,6 +60,8 @@ int order_of(IntegratorKind integrator);
 
 /// Tolerances go with this power of the factor by which steps would be shortened.
 constexpr int kToleranceOrder = 4;
+/// Of a v h: the step up to which methods show their order.
+constexpr double kLongestResolvedWay = 0.5;
 /// The steps of successive runs of an answer are shorter by this factor at least.
 constexpr double kRefinement = 1.2;
 /// Steps of the three runs of an answer over those of the last one.
