@@ -116,6 +116,10 @@ void ElasticWall::count_hops(const ConstPoints& position) {
         potential_of(position, point, bond_[i]) - potential_of(position, point, counted_bond_[i]);
     hops_ += change;
     hops_size_ += std::abs(change);
+    if (bond_[i] == kNone || counted_bond_[i] == kNone) continue;
+    const Gap now = gap(position, point, bond_[i]);
+    const Gap before = gap(position, point, counted_bond_[i]);
+    turned_ += potential_at(now.length) * (now.normal - before.normal).matrix().norm();
   }
   counted_bond_ = bond_;
 }

@@ -58,6 +58,10 @@ class ElasticWall : public WallContact {
   double hops() const { return hops_; }
   double hops_size() const { return hops_size_; }
 
+  /// Energy of contacts that passed to another bond, times the size of the change of the normal,
+  /// from count to count so far (M c²): forces that turned by a jump, even where no energy hops.
+  double turned() const { return turned_; }
+
   /// The points of the disk that the wall pushes with more than `least_force` (M c²/R).
   std::vector<PointForce> contacts(const ConstPoints& position, double least_force) const;
   /// The reactions to those forces, by point of the wall.
@@ -93,6 +97,7 @@ class ElasticWall : public WallContact {
   std::vector<std::int32_t> counted_bond_;  ///< the same at the last count
   double hops_ = 0.0;
   double hops_size_ = 0.0;
+  double turned_ = 0.0;
 };
 
 }  // namespace impact

@@ -50,14 +50,16 @@ ConvergedValue extrapolated(const Sample& coarse, const Sample& middle, const Sa
 ConvergedValue compared(const std::vector<Sample>& runs) {
   const auto [least, most] = std::minmax_element(
       runs.begin(), runs.end(), [](const Sample& a, const Sample& b) { return a.value < b.value; });
-  const double coarseness = runs.front().step / runs.back().step - 1.0;
+  const double coarseness = std::min(1.0, runs.front().step / runs.back().step - 1.0);
   return {runs.back().value, kPlainMargin * (most->value - least->value) / coarseness};
 }
 
 ConvergedValue converged(const std::vector<Sample>& runs, std::optional<int> order) {
-  const ConvergedValue plain = compared(runs);
+  if (!order) return compared(runs);
+  const ConvergedValue plain = compared({runs.end() - 3, runs.end()});
   const Sample* const finest = &runs.back();
-  if (!order || !shows_order(finest[-2], finest[-1], finest[0], *order)) return plain;
+  if (!shows_order(finest[-2], finest[-1], finest[0], *order)) return plain;
+  if (runs.size() > 3 && !shows_order(finest[-3], finest[-2], finest[-1], *order)) return plain;
   const ConvergedValue limit = extrapolated(finest[-2], finest[-1], finest[0], *order);
   return limit.error <= plain.error ? limit : plain;
 }

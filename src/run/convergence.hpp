@@ -30,14 +30,16 @@ ConvergedValue extrapolated(const Sample& coarse, const Sample& middle, const Sa
                             int order);
 
 /// The value of the finest run with an error that holds for order 1 and more:
-///   3 max |vᵢ − vⱼ|/(h_coarsest/h_finest − 1).
-/// For values that scatter it is their range times more than 3, for runs up to 2 times as coarse.
+///   3 max |vᵢ − vⱼ|/min(1, h_coarsest/h_finest − 1).
+/// For values that scatter it is their range times at least 3.
 ConvergedValue compared(const std::vector<Sample>& runs);
 
-/// What at least three runs, from coarse to fine, say of a number. With an order: extrapolated(),
-/// by the finest three, if they show that order p or, where its error happens to vanish, the next
-/// one, by an observed order of p − 0.25 … p + 0.5 or p + 1.5 … p + 2.5. Otherwise, or if that is
-/// the smaller error, compared().
+/// What at least three runs, from coarse to fine, say of a number. Without an order all of them are
+/// compared(). With one: extrapolated(), by the finest three, if they show that order p or, where
+/// its error happens to vanish, the next one, by an observed order of p − 0.25 … p + 0.5 or
+/// p + 1.5 … p + 2.5, and so do the three before, where there are four runs: after runs that did
+/// not show an order one that does may be chance. Otherwise, or if that is the smaller error, the
+/// finest three compared().
 ConvergedValue converged(const std::vector<Sample>& runs, std::optional<int> order);
 
 }  // namespace impact

@@ -23,9 +23,11 @@ constexpr double kRoundingOfImpact = 16.0;
 constexpr double kRoundingOfStrain = 4.0;
 /// The part of numerics.error above which the wall's tail is made smaller.
 constexpr double kMostTail = 0.1;
-/// Refinements that may leave the estimate as it is before the cause is taken to be another one.
-constexpr int kMostStagnations = 2;
 constexpr double kStagnation = 0.7;
+constexpr std::size_t kRunsToCompare = 3;
+constexpr std::size_t kErraticRunsToCompare = 5;
+constexpr std::size_t kRunsThatShowAnOrder = 4;
+constexpr int kMostFailures = 4;
 
 /// What vanishes with the error of a run.
 double step_of(const Resolution& resolution) {
@@ -51,7 +53,8 @@ FinishedImpact finished_impact(const Run& run, const Restitution& measured) {
   impact.time = run.state().time;
   impact.tail_error = run.tail_error();
   if (const auto& wall = run.motion().field().elastic_wall) {
-    impact.error_by_hops = wall->hops_size() / (measured.velocity_after * measured.velocity_after);
+    impact.error_by_hops =
+        (wall->hops_size() + wall->turned()) / (measured.velocity_after * measured.velocity_after);
   }
   impact.step_reduced = run.motion().halvings() > 0;
   impact.not_separated = run.has_flag("not_separated");
@@ -145,10 +148,9 @@ bool ErrorControl::accepts(const FinishedImpact& run) {
     go_on(kRefinement);
     return false;
   }
-  conclude(run.tail_error + run.error_by_hops * std::min(1.0, way_in(run.step)) +
-           kRoundingOfImpact * kEpsilon * std::sqrt(static_cast<double>(run.steps)));
+  conclude(run.tail_error + run.error_by_hops * std::min(1.0, way_in(run.step)) + rounding(run));
   accepted_ = estimated_error_ <= scene_.numerics.error;
-  if (!accepted_) refine_by_estimate(run);
+  if (!accepted_) refine_by_estimate();
   return accepted_;
 }
 
@@ -165,9 +167,22 @@ bool ErrorControl::starts_too_near(const FinishedImpact& run) {
 void ErrorControl::note_manners(const FinishedImpact& run) {
   erratic_ = erratic_ || run.folded || run.cut_off;
   irregular_ = irregular_ || run.error_by_hops > scene_.numerics.error;
+  likely_cause_ = run.folded    ? ": the lattice folds"
+                  : run.cut_off ? ": the wall is cut off at wall.threshold"
+                  : irregular_  ? ": contacts hop from bond to bond"
+                                : "";
 }
 
-std::size_t ErrorControl::runs_needed() const { return erratic_ ? 4 : 3; }
+std::size_t ErrorControl::runs_needed() const {
+  return erratic_ ? kErraticRunsToCompare : kRunsToCompare;
+}
+
+/// Of e, relative. Solutions for the damped velocities are off to one side.
+double ErrorControl::rounding(const FinishedImpact& run) const {
+  const auto steps = static_cast<double>(run.steps);
+  return kRoundingOfImpact * kEpsilon *
+         (solves_for_damping(resolution_.integrator) ? steps : std::sqrt(steps));
+}
 
 /// How far the disk comes in a step (R/c), in ranges 1/a of the wall.
 double ErrorControl::way_in(double step) const {
@@ -186,17 +201,15 @@ std::optional<int> ErrorControl::order() const {
 
 /// Finds the answer of the latest runs. `noise`: relative error that finer steps do not take away.
 void ErrorControl::conclude(double noise) {
+  const std::size_t count = order() ? std::min(runs_.size(), kRunsThatShowAnOrder) : runs_needed();
+  const std::vector<FinishedRun> runs(runs_.end() - static_cast<std::ptrdiff_t>(count),
+                                      runs_.end());
   std::vector<Sample> samples;
-  for (auto run = runs_.end() - static_cast<std::ptrdiff_t>(runs_needed()); run != runs_.end();
-       ++run) {
-    samples.push_back({step_of(run->resolution), 0.0});
-  }
+  for (const FinishedRun& run : runs) samples.push_back({step_of(run.resolution), 0.0});
   const Restitution& finest = runs_.back().measured;
   answer_ = {finest, {}};
   for (const auto& [name, number] : impact_numbers<Restitution>()) {
-    for (std::size_t k = 0; k < samples.size(); ++k) {
-      samples[k].value = runs_[runs_.size() - samples.size() + k].measured.*number;
-    }
+    for (std::size_t k = 0; k < count; ++k) samples[k].value = runs[k].measured.*number;
     const ConvergedValue estimate = converged(samples, order());
     answer_.value.*number = estimate.value;
     answer_.error.*number = estimate.error + noise * std::abs(estimate.value);
@@ -208,17 +221,13 @@ void ErrorControl::conclude(double noise) {
   estimated_error_ = answer_.error.restitution / std::abs(e);
 }
 
-void ErrorControl::refine_by_estimate(const FinishedImpact& run) {
+void ErrorControl::refine_by_estimate() {
   stagnations_ = estimated_error_ > kStagnation * last_estimate_ ? stagnations_ + 1 : 0;
   last_estimate_ = estimated_error_;
   const bool adaptive = is_adaptive(resolution_.integrator);
-  if (stagnations_ >= kMostStagnations) {
+  if (stagnations_ + 1 >= static_cast<int>(runs_needed())) {
     give_up(fmt::format("finer {} do not bring the error of the restitution below {:.1e}{}",
-                        adaptive ? "tolerances" : "steps", estimated_error_,
-                        run.folded    ? ": the lattice folds"
-                        : run.cut_off ? ": the wall is cut off at wall.threshold"
-                        : irregular_  ? ": contacts hop from bond to bond"
-                                      : ""));
+                        adaptive ? "tolerances" : "steps", estimated_error_, likely_cause_));
   }
   const double excess = 2.0 * estimated_error_ / scene_.numerics.error;
   const bool is_extrapolated = answer_.value.restitution != runs_.back().measured.restitution;
@@ -249,7 +258,7 @@ bool ErrorControl::accepts_contact(const Run& run) {
 
 void ErrorControl::take_failure(const RunFailure& failure) {
   if (!is_controlled()) throw failure;
-  if (++stagnations_ > 2 * kMostStagnations) throw failure;
+  if (++failures_ > kMostFailures) throw failure;
   runs_.clear();
   planned_.clear();
   refine(2.0);
@@ -275,8 +284,8 @@ void ErrorControl::shorten(double factor) {
       give_up(fmt::format("a tolerance below {:g} would be needed", kLeastTolerance));
     }
   } else if (expected_time_ / resolution_.step > most_steps_) {
-    give_up(fmt::format("a step of {:.2g} R/c, more than {:.2g} steps, would be needed",
-                        resolution_.step, most_steps_));
+    give_up(fmt::format("a step of {:.2g} R/c, more than {:.2g} steps, would be needed{}",
+                        resolution_.step, most_steps_, likely_cause_));
   }
 }
 

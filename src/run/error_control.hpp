@@ -18,9 +18,11 @@ struct FinishedImpact {
   Restitution measured;
   double step = 0.0;  ///< R/c, at the end: the shortest
   std::uint64_t steps = 0;
-  double time = 0.0;           ///< R/c
-  double tail_error = 0.0;     ///< Run::tail_error()
-  double error_by_hops = 0.0;  ///< relative: how far hops from bond to bond could change e
+  double time = 0.0;        ///< R/c
+  double tail_error = 0.0;  ///< Run::tail_error()
+  /// Relative: how far it could change e that contacts pass from bond to bond, by hops of energy
+  /// and by turns of the force.
+  double error_by_hops = 0.0;
   bool step_reduced = false;
   bool not_separated = false;
   bool folded = false;
@@ -36,17 +38,19 @@ struct FinishedImpact {
 /// extrapolated to steps of no length where the three show the order of the method, else that of
 /// the finest run. An order is not looked for
 /// - where a point of the disk comes further towards the wall than half its range 1/a in a step,
-/// - where contacts pass from bond to bond with a change of energy that could change e by
-///   numerics.error,
+/// - where contacts pass from bond to bond, and what that does to their energy and to the direction
+///   of their force could change e by numerics.error,
 /// - where the lattice folds, or the wall is cut off at wall.threshold: these scatter most, and
-///   four runs are compared,
+///   five runs are compared,
 /// - for an adaptive integrator, the tolerance of which stands for the square of a step.
 /// What the wall still holds at the end of a run is counted as velocity.
 /// To the error is added what the wall does before the start and after the end of a run,
-/// Run::tail_error(), what hops leave open, since a step sees them late (their energy times a v h),
+/// Run::tail_error(), what passing from bond to bond leaves open, since a step sees it late (what
+/// it could do to e, times a v h),
 /// and rounding, 16 ε √steps (ε: spacing of doubles): twice to ten times the
-/// scatter of e for other wall.V0, v = 10⁻⁶ … 10⁻² c. A start that turns out too near to the wall,
-/// since little speed is left after the impact, is lifted.
+/// scatter of e for other wall.V0, v = 10⁻⁶ … 10⁻² c; where steps solve for damped velocities,
+/// 16 ε steps, since their rounding goes to one side: 4.5 ε a step was seen. A start that turns out
+/// too near to the wall, since little speed is left after the impact, is lifted.
 ///
 /// A run whose step was reduced on the way does not count. Where runs of a method of order 2 show
 /// that it needs more steps than expected, `auto` may go over to one of order 6.
@@ -108,10 +112,11 @@ class ErrorControl {
   bool starts_too_near(const FinishedImpact& run);
   void note_manners(const FinishedImpact& run);
   std::size_t runs_needed() const;
+  double rounding(const FinishedImpact& run) const;
   double way_in(double step) const;
   std::optional<int> order() const;
   void conclude(double noise);
-  void refine_by_estimate(const FinishedImpact& run);
+  void refine_by_estimate();
   [[noreturn]] void give_up(const std::string& cause) const;
 
   Scene scene_;
@@ -124,10 +129,14 @@ class ErrorControl {
   ImpactAnswer answer_;
   double estimated_error_ = std::numeric_limits<double>::quiet_NaN();
   double last_estimate_ = std::numeric_limits<double>::infinity();
+  /// Refinements in turn that left the estimate as it was: as long as coarser runs are compared
+  /// with, that may be due to them.
   int stagnations_ = 0;
+  int failures_ = 0;  ///< runs that broke off
   bool accepted_ = false;
-  bool erratic_ = false;    ///< the lattice folds or the wall is cut off
-  bool irregular_ = false;  ///< contacts hop from bond to bond
+  bool erratic_ = false;           ///< the lattice folds or the wall is cut off
+  bool irregular_ = false;         ///< contacts hop from bond to bond
+  const char* likely_cause_ = "";  ///< of slow convergence, if known
 };
 
 }  // namespace impact

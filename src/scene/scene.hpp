@@ -39,6 +39,11 @@ enum class IntegratorKind {
   kNewton                ///< no motion: a static solution
 };
 
+/// Whether a step of a damped lattice solves for its velocities.
+inline bool solves_for_damping(IntegratorKind kind) {
+  return kind == IntegratorKind::kImplicitDamping || kind == IntegratorKind::kExtrapolatedDamping;
+}
+
 /// Whether the integrator chooses its steps by itself, from a tolerance.
 inline bool is_adaptive(IntegratorKind kind) {
   return kind == IntegratorKind::kBdf || kind == IntegratorKind::kRk8pd;

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kMostWork = 5e6;
 constexpr double kLargestStrain = 0.3;
+constexpr double kRounding = 1e-15;  // R, of a strain
 
 class Draw {
  public:
@@ -114,6 +115,11 @@ bool is_sensible_impact(const Scene& scene) {
   return wall_energy(composition) < 0.5 * v * v && work_of(composition) <= kMostWork;
 }
 
+bool is_sensible_contact(const Scene& scene) {
+  const double load = scene.load.p / scene.material.k_a;
+  return load <= kLargestStrain && scene.numerics.error * load >= kRounding;
+}
+
 bool can_be_made(const Scene& scene) {
   try {
     make_bodies(scene);
@@ -135,8 +141,7 @@ RandomScene random_scene(std::uint64_t seed, int number) {
 }
 
 bool is_sensible(const Scene& scene) {
-  return scene.kind == SceneKind::kContact ? scene.load.p <= kLargestStrain * scene.material.k_a
-                                           : is_sensible_impact(scene);
+  return scene.kind == SceneKind::kContact ? is_sensible_contact(scene) : is_sensible_impact(scene);
 }
 
 double work_of(const Scene& scene) { return work_of(compose(scene)); }

@@ -26,9 +26,10 @@ struct RandomScene {
 RandomScene random_scene(std::uint64_t seed, int number);
 
 /// Whether a scene of a lattice that can be made is of sensible size: v at most 0.3 √(k_a R²/M) and
-/// P at most 0.3 k_a R, so that the disk is not crushed; less energy in the wall than in the motion
-/// at the start, and of a point where it comes into reach of an elastic wall; work_of() at most
-/// 5·10⁶.
+/// P at most 0.3 k_a R, so that the disk is not crushed; of a contact an error in the strain,
+/// numerics.error P/(k_a R), that doubles can hold, 10⁻¹⁵ R; less energy in the wall than in the
+/// motion at the start, and of a point where it comes into reach of an elastic wall; work_of() at
+/// most 5·10⁶.
 bool is_sensible(const Scene& scene);
 
 /// On the potential wall damping counts as stiff where its fastest decay γ exceeds the fastest

@@ -77,8 +77,7 @@ Company company_of(const Ride& ride) {
   const IntegratorKind integrator = ride.resolution.integrator;
   const ForceField& field = ride.motion->field();
   const LaneField::Kind kind = LaneField::kind_of(field);
-  const bool solves = kind.damped && (integrator == IntegratorKind::kImplicitDamping ||
-                                      integrator == IntegratorKind::kExtrapolatedDamping);
+  const bool solves = kind.damped && solves_for_damping(integrator);
   return {integrator, kind, solves, solves ? ride.motion->step_size() : 0.0,
           solves ? field.bonds.law().eta : 0.0};
 }

@@ -261,6 +261,12 @@ TEST(Hop, HasTheEnergyBetweenTheTwoBonds) {
   EXPECT_NEAR(normal.hops_size(), std::abs(jump), 1e-16);
   EXPECT_GT(std::abs(jump), 1e-3);
   EXPECT_NEAR(vertical.hops_size(), 0.0, 1e-16);
+
+  const Eigen::Vector2d before = Eigen::Vector2d(0.5, 1.0).normalized();
+  const Eigen::Vector2d after = Eigen::Vector2d(-1.0, 1.0).normalized();
+  EXPECT_NEAR(normal.turned(), kLaw.potential_at(0.2 / std::sqrt(2.0)) * (after - before).norm(),
+              1e-15);
+  EXPECT_NEAR(vertical.turned(), kLaw.potential_at(0.2) * 1.5, 1e-15);
 }
 
 /// Two points beside a level surface, one at each side, as if it went on.

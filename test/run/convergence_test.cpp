@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <vector>
 
 namespace impact {
 namespace {
@@ -120,6 +121,18 @@ TEST(Converged, DoesNotExtrapolateByAnOrderThatIsNotSeen) {
   EXPECT_EQ(converged(second, 6).value, second.back().value);
   EXPECT_EQ(converged(second, std::nullopt).value, second.back().value);
   EXPECT_NE(converged(second, 2).value, second.back().value);
+}
+
+/// Three runs that show an order count if the three before them show it too: here the coarsest run
+/// is too coarse, and the other three agree with order 2 by themselves.
+TEST(Converged, BelievesAnOrderThatWasNotSeenBeforeOnlyTwice) {
+  auto runs = runs_of([](double h) { return 0.1 * h * h; }, 5);
+  runs[0].value += 1.0;
+  const std::vector<Sample> four(runs.begin(), runs.end() - 1);
+  EXPECT_EQ(converged(four, 2).value, four.back().value);
+  EXPECT_EQ(converged(four, 2).error, compared({four.begin() + 1, four.end()}).error);
+  const std::vector<Sample> next(runs.begin() + 1, runs.end());
+  EXPECT_NEAR(converged(next, 2).value, 1.0, 1e-14);
 }
 
 TEST(Converged, OfEqualRunsHasNoError) {

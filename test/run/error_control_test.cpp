@@ -82,7 +82,7 @@ TEST(ErrorControl, AnswersWithinTheWantedErrorWhateverTheOrder) {
         } catch (const RunFailure&) {
           // An error of a power that the method should not have may need too many steps.
           EXPECT_TRUE(power < 2.0 || power == 3.0) << power;
-          EXPECT_GT(size, wanted);
+          EXPECT_GE(size, wanted);
         }
       }
     }
@@ -128,17 +128,17 @@ TEST(ErrorControl, DoesNotTakeScatterForAnAnswer) {
       EXPECT_NE(std::string(failure.what()).find("the lattice folds"), std::string::npos);
     }
   }
-  EXPECT_LE(wrong, 2);
+  EXPECT_LE(wrong, 1);
 }
 
-TEST(ErrorControl, ComparesOneRunMoreWhereTheLatticeFoldsOrTheWallIsCutOff) {
+TEST(ErrorControl, ComparesFiveRunsWhereTheLatticeFoldsOrTheWallIsCutOff) {
   const Method folding{{[](double h) { return 1e-3 * h * h; }},
                        [](FinishedImpact& run) { run.folded = true; }};
   const Method cut_off{{[](double h) { return 1e-3 * h * h; }},
                        [](FinishedImpact& run) { run.cut_off = true; }};
   for (const Method& method : {folding, cut_off}) {
     const Play play(scene_with(1e-4), method);
-    EXPECT_EQ(play.runs, 4);
+    EXPECT_EQ(play.runs, 5);
     const double finest = play.steps.back();
     EXPECT_DOUBLE_EQ(play.control.answer().value.restitution,
                      kTrue * (1.0 + 1e-3 * finest * finest));
