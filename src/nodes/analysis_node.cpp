@@ -5,7 +5,7 @@
 #include <ros/callback_queue.h>
 
 #include <algorithm>
-#include <limits>
+#include <boost/function.hpp>
 #include <stdexcept>
 
 #include "nodes/program.hpp"
@@ -51,34 +51,41 @@ bool AnalysisNode::run() {
   subscribe<lattice_impact::ContactForces>("contact_forces");
   subscribe<lattice_impact::RunStatus>("run_status");
 
-  last_message_ = ros::WallTime::now();
   while (!interrupted() && !(parameters_.exit_when_done && analysis_.done())) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll));
-    if (analysis_.waits_for_missing() && silence() > parameters_.patience) analysis_.close();
-    if (parameters_.exit_when_done && silence() > patience_for_publishers()) break;
+    if (analysis_.waits_for_missing() && source_.silence() > parameters_.patience) {
+      analysis_.close();
+    }
+    if (parameters_.exit_when_done && nothing_more_comes()) break;
   }
-  if (parameters_.exit_when_done && !any_message_ && !interrupted()) {
+  if (parameters_.exit_when_done && !source_.has_spoken() && !interrupted()) {
     throw std::runtime_error(fmt::format("no message for {} s (timeout)", parameters_.timeout));
   }
   analysis_.close();
+  if (parameters_.exit_when_done) wait_for_publishers_to_go();
   ros::WallDuration(parameters_.linger).sleep();
   return complete_;
 }
 
 template <class Message>
 void AnalysisNode::subscribe(const std::string& topic) {
-  subscribers_.push_back(node_.subscribe<Message>(
-      topic, 0,
-      [this](const typename Message::ConstPtr& message) {
-        last_message_ = ros::WallTime::now();
-        any_message_ = true;
-        analysis_.add(*message);
-      },
-      ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
+  using Event = ros::MessageEvent<const Message>;
+  const boost::function<void(const Event&)> take = [this](const Event& event) {
+    source_.note(event.getPublisherName());
+    analysis_.add(*event.getMessage());
+  };
+  subscribers_.push_back(node_.subscribe<const Event&>(topic, 0, take, ros::VoidConstPtr(),
+                                                       ros::TransportHints().tcpNoDelay()));
+}
+
+template <class Message>
+void AnalysisNode::publish(const ros::Publisher& publisher, const Message& message) {
+  publisher.publish(message);
+  ++results_[publisher.getTopic()];
 }
 
 void AnalysisNode::publish(const lattice_impact::Strain& strain) {
-  strain_.publish(strain);
+  publish(strain_, strain);
   if (strain.at_rest != 0) {
     ROS_INFO("run %u: at rest with strain %.6g R, wall force %.6g M c^2/R", strain.run,
              strain.strain, strain.force);
@@ -86,7 +93,7 @@ void AnalysisNode::publish(const lattice_impact::Strain& strain) {
 }
 
 void AnalysisNode::publish(const lattice_impact::Restitution& restitution) {
-  restitution_.publish(restitution);
+  publish(restitution_, restitution);
   if (restitution.complete != 0) {
     ROS_INFO("run %u: velocity %.6g c, restitution %.9g, contact duration %.6g R/c",
              restitution.run, -restitution.velocity_before, restitution.restitution,
@@ -95,7 +102,7 @@ void AnalysisNode::publish(const lattice_impact::Restitution& restitution) {
 }
 
 void AnalysisNode::publish(const lattice_impact::LawFit& law) {
-  law_fit_.publish(law);
+  publish(law_fit_, law);
   ROS_INFO("run %u: %s", law.run, outcome(law).c_str());
 }
 
@@ -104,16 +111,31 @@ void AnalysisNode::acknowledge(std::uint32_t run, std::uint32_t sequence) {
   message.reader = ros::this_node::getName();
   message.run = run;
   message.sequence = sequence;
+  for (const ros::Publisher& publisher : {strain_, restitution_, law_fit_}) {
+    message.result_topics.push_back(publisher.getTopic());
+    message.results.push_back(results_[publisher.getTopic()]);
+  }
   acknowledged_.publish(message);
 }
 
-double AnalysisNode::patience_for_publishers() const {
-  if (!any_message_) return parameters_.timeout;
-  const bool alone = std::all_of(subscribers_.begin(), subscribers_.end(),
-                                 [](const auto& link) { return link.getNumPublishers() == 0; });
-  return alone ? parameters_.patience : std::numeric_limits<double>::infinity();
+bool AnalysisNode::is_alone() const {
+  const bool unlinked = std::all_of(subscribers_.begin(), subscribers_.end(),
+                                    [](const auto& link) { return link.getNumPublishers() == 0; });
+  return unlinked || !source_.is_alive();
 }
 
-double AnalysisNode::silence() const { return (ros::WallTime::now() - last_message_).toSec(); }
+/// The simulation waits until the results are taken in by the readers that it has.
+void AnalysisNode::wait_for_publishers_to_go() {
+  const ros::WallTime start = ros::WallTime::now();
+  while (!is_alone() && !interrupted() &&
+         (ros::WallTime::now() - start).toSec() < parameters_.timeout) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll));
+  }
+}
+
+bool AnalysisNode::nothing_more_comes() const {
+  if (!source_.has_spoken()) return source_.silence() > parameters_.timeout;
+  return source_.silence() > parameters_.patience && is_alone();
+}
 
 }  // namespace impact

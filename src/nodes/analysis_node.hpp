@@ -2,9 +2,12 @@
 
 #include <ros/ros.h>
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "nodes/message_source.hpp"
 #include "nodes/node_parameters.hpp"
 #include "nodes/readers.hpp"
 #include "nodes/series_analysis.hpp"
@@ -26,12 +29,15 @@ class AnalysisNode {
  private:
   template <class Message>
   void subscribe(const std::string& topic);
+  template <class Message>
+  void publish(const ros::Publisher& publisher, const Message& message);
   void publish(const lattice_impact::Restitution& restitution);
   void publish(const lattice_impact::Strain& strain);
   void publish(const lattice_impact::LawFit& law);
   void acknowledge(std::uint32_t run, std::uint32_t sequence);
-  double silence() const;
-  double patience_for_publishers() const;
+  bool is_alone() const;
+  void wait_for_publishers_to_go();
+  bool nothing_more_comes() const;
 
   AnalysisNodeParameters parameters_;
   ros::NodeHandle node_;
@@ -40,11 +46,11 @@ class AnalysisNode {
   ros::Publisher restitution_;
   ros::Publisher law_fit_;
   ros::Publisher acknowledged_;
+  std::map<std::string, std::uint64_t> results_;  ///< published so far, by topic
   std::vector<ros::Subscriber> subscribers_;
   SeriesFits fits_;
   SeriesAnalysis analysis_;
-  ros::WallTime last_message_;
-  bool any_message_ = false;
+  MessageSource source_;
   bool complete_ = true;
 };
 

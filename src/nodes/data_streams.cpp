@@ -1,8 +1,7 @@
 #include "nodes/data_streams.hpp"
 
-#include <fmt/format.h>
-
-#include "lattice/input_error.hpp"
+#include <stdexcept>
+#include <utility>
 
 namespace impact {
 
@@ -23,17 +22,23 @@ bool DataStreams::heard(Body body) const {
 }
 
 void DataStreams::open_bag(const std::string& bag) {
-  if (bag.empty()) return;
+  if (!bag.empty()) bag_.emplace(bag);
+}
+
+/// A bag that could not be written is not written to again.
+template <class Message>
+void DataStreams::write(const std::string& topic, const Message& message) {
   try {
-    bag_.emplace(bag, rosbag::bagmode::Write);
-  } catch (const rosbag::BagException& error) {
-    throw InputError(fmt::format("bag: {} cannot be written: {}", bag, error.what()));
+    bag_->write(topic, message.header.stamp, message);
+  } catch (const std::runtime_error&) {
+    bag_.reset();
+    throw;
   }
 }
 
 template <class Message>
 void DataStreams::send(const ros::Publisher& publisher, const Message& message) {
-  if (bag_) bag_->write(publisher.getTopic(), message.header.stamp, message);
+  if (bag_) write(publisher.getTopic(), message);
   if (publisher.getNumSubscribers() > 0 || publisher.isLatched()) publisher.publish(message);
 }
 
@@ -51,8 +56,11 @@ void DataStreams::send(Body body, const lattice_impact::ContactForces& message) 
 
 void DataStreams::send(const lattice_impact::RunStatus& message) { send(status_, message); }
 
-void DataStreams::close() {
-  if (bag_) bag_->close();
+std::string DataStreams::close(bool complete) {
+  if (!bag_) return {};
+  std::string name = bag_->finish(complete);
+  bag_.reset();
+  return name;
 }
 
 }  // namespace impact

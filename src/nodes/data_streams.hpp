@@ -5,11 +5,11 @@
 #include <lattice_impact/ParticleStates.h>
 #include <lattice_impact/RunStatus.h>
 #include <ros/ros.h>
-#include <rosbag/bag.h>
 
 #include <optional>
 #include <string>
 
+#include "nodes/bag_file.hpp"
 #include "nodes/readers.hpp"
 
 namespace impact {
@@ -37,8 +37,8 @@ class DataStreams {
   void send(Body body, const lattice_impact::ContactForces& message);
   void send(const lattice_impact::RunStatus& message);
 
-  /// Finishes the bag, so that it can be read.
-  void close();
+  /// Finishes the bag: BagFile::finish(). Returns its name; empty: there is none.
+  std::string close(bool complete);
 
  private:
   struct Topics {
@@ -48,6 +48,8 @@ class DataStreams {
     ros::Publisher forces;
   };
 
+  template <class Message>
+  void write(const std::string& topic, const Message& message);
   const Topics& topics(Body body) const { return body == Body::kDisk ? disk_ : *wall_; }
   template <class Message>
   void send(const ros::Publisher& publisher, const Message& message);
@@ -55,7 +57,7 @@ class DataStreams {
   Topics disk_;
   std::optional<Topics> wall_;
   ros::Publisher status_;
-  std::optional<rosbag::Bag> bag_;
+  std::optional<BagFile> bag_;
 };
 
 }  // namespace impact

@@ -46,6 +46,13 @@ Parameter<T> linger() {
       [](auto& p) -> auto& { return p.linger; });
 }
 
+template <class T>
+Parameter<T> patience(std::string meaning) {
+  return real<T>(
+      "patience", "s", kWaitingTime, std::move(meaning),
+      [](auto& p) -> auto& { return p.patience; });
+}
+
 }  // namespace
 
 const std::vector<Parameter<SimulationNodeParameters>>& simulation_node_parameters() {
@@ -84,10 +91,7 @@ const std::vector<Parameter<AnalysisNodeParameters>>& analysis_node_parameters()
   static const std::vector<Parameter<P>> table{
       wait_for<P>(),
       timeout<P>("how long to wait for a subscriber and, with exit_when_done, for any message"),
-      real<P>(
-          "patience", "s", kWaitingTime,
-          "silence after the end of a run at which missing messages count as lost",
-          [](auto& p) -> auto& { return p.patience; }),
+      patience<P>("silence after the end of a run at which missing messages count as lost"),
       linger<P>(),
       flag<P>(
           "exit_when_done",
@@ -102,6 +106,20 @@ const std::vector<Parameter<AnalysisNodeParameters>>& analysis_node_parameters()
           {-ElasticParameters::kHighestRatio, ElasticParameters::kHighestRatio},
           "ν of the disk for law_fit; auto: as for young_modulus",
           [](auto& p) -> auto& { return p.elastic.poisson_ratio; })};
+  return table;
+}
+
+const std::vector<Parameter<RecorderNodeParameters>>& recorder_node_parameters() {
+  using P = RecorderNodeParameters;
+  static const std::vector<Parameter<P>> table{
+      text<P>(
+          "bag", "file to record to", [](auto& p) -> auto& { return p.bag; }),
+      node_names<P>(
+          "results_of",
+          "those whose results are recorded too: the recording of a run waits for them",
+          [](auto& p) -> auto& { return p.results_of; }),
+      timeout<P>("how long to wait for the first message, and at the end for the simulation"),
+      patience<P>("silence at which a simulation that has gone is taken to have broken off")};
   return table;
 }
 

@@ -30,7 +30,15 @@ struct AnalysisNodeParameters {
   ElasticParameters elastic;
 };
 
+struct RecorderNodeParameters {
+  std::string bag;
+  std::vector<std::string> results_of;  ///< names of nodes
+  double timeout = 30.0;                ///< s
+  double patience = 5.0;                ///< s
+};
+
 const std::vector<Parameter<SimulationNodeParameters>>& simulation_node_parameters();
 const std::vector<Parameter<AnalysisNodeParameters>>& analysis_node_parameters();
+const std::vector<Parameter<RecorderNodeParameters>>& recorder_node_parameters();
 
 }  // namespace impact

@@ -33,6 +33,22 @@ void Readers::wait(double timeout) {
   }
 }
 
+void Readers::check() const {
+  if (!all_there()) throw std::runtime_error("gone in mid-run: " + missing());
+}
+
+bool Readers::hears(const std::string& name) const {
+  return std::any_of(subscribers_.begin(), subscribers_.end(),
+                     [&](const auto& topic) { return topic.second.count(name) > 0; });
+}
+
+bool Readers::all_there() const {
+  return std::all_of(names_.begin(), names_.end(), [this](const std::string& name) {
+    return std::all_of(subscribers_.begin(), subscribers_.end(),
+                       [&](const auto& topic) { return topic.second.count(name) > 0; });
+  });
+}
+
 std::string Readers::missing() const {
   std::vector<std::string> links;
   for (const auto& topic : subscribers_) {
@@ -68,10 +84,14 @@ void Pacing::wait_for_links(double timeout) {
   }
 }
 
-void Pacing::wait(std::uint32_t run, std::int64_t sequence, double timeout) {
+void Pacing::wait(std::uint32_t run, std::int64_t sequence, double timeout,
+                  const std::function<bool(const std::string&)>& is_there) {
   last_news_ = ros::WallTime::now();
   for (const auto& reader : acknowledged_) {
     while (reader.second < Position{run, sequence} && !interrupted()) {
+      if (!is_there(reader.first)) {
+        throw std::runtime_error(fmt::format("{} has gone in mid-run", reader.first));
+      }
       if ((ros::WallTime::now() - last_news_).toSec() > timeout) {
         throw std::runtime_error(
             fmt::format("{} has acknowledged nothing for {} s (timeout)", reader.first, timeout));

@@ -2,6 +2,7 @@
 
 #include <ros/ros.h>
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -38,7 +39,14 @@ class Readers {
   /// missing.
   void wait(double timeout);
 
+  /// @throw std::runtime_error when a reader that was there has gone, with its name.
+  void check() const;
+
+  /// Whether a node subscribes to one of the topics.
+  bool hears(const std::string& name) const;
+
  private:
+  bool all_there() const;
   std::string missing() const;
 
   ros::NodeHandle node_;
@@ -58,8 +66,10 @@ class Pacing {
 
   /// Waits until every reader has acknowledged the message `sequence` of `run` or a later one, or
   /// until `interrupted`.
-  /// @throw std::runtime_error when nothing is acknowledged for `timeout` seconds.
-  void wait(std::uint32_t run, std::int64_t sequence, double timeout);
+  /// @throw std::runtime_error when one that has not is not there any more, as `is_there` says of
+  /// its name, or when nothing is acknowledged for `timeout` seconds.
+  void wait(std::uint32_t run, std::int64_t sequence, double timeout,
+            const std::function<bool(const std::string&)>& is_there);
 
  private:
   using Position = std::pair<std::int64_t, std::int64_t>;  // run, sequence

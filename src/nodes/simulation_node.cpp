@@ -126,7 +126,7 @@ bool SimulationNode::run_series() {
     simulate(series_[i], composition ? std::move(composition) : compose_shared(series_[i]));
     ++status_.run;
   }
-  streams_.close();
+  close_bag(!interrupted());
   ros::WallDuration(parameters_.linger).sleep();
   return !interrupted();
 }
@@ -153,13 +153,23 @@ void SimulationNode::simulate(const Scene& scene,
     take_answer(control);
   } catch (const std::runtime_error& cause) {
     publish_status(run, lattice_impact::RunStatus::FAILED, cause.what());
-    streams_.close();
+    close_bag(false);
     throw;
   }
   publish_status(run, run.finished() ? lattice_impact::RunStatus::FINISHED
                                      : lattice_impact::RunStatus::INTERRUPTED);
-  pacing_.wait(status_.run, status_.states, parameters_.timeout);
+  wait_for_readers(status_.states);
   run_start_ = status_.header.stamp + ros::Duration(1.0);
+}
+
+void SimulationNode::close_bag(bool complete) {
+  const std::string name = streams_.close(complete);
+  if (name.empty()) return;
+  if (complete) {
+    ROS_INFO("recorded in %s", name.c_str());
+  } else {
+    ROS_ERROR("the recording is not complete: kept as %s", name.c_str());
+  }
 }
 
 Restitution SimulationNode::publish_run(Run& run) {
@@ -250,9 +260,16 @@ void SimulationNode::take_answer(const ErrorControl& control) {
 void SimulationNode::keep_pace() {
   ros::spinOnce();
   diagnostics_.update();
-  pacing_.wait(status_.run, static_cast<std::int64_t>(status_.states) - kWindow,
-               parameters_.timeout);
+  readers_.check();
+  if (wall_readers_) wall_readers_->check();
+  wait_for_readers(static_cast<std::int64_t>(status_.states) - kWindow);
   if (rate_) rate_->sleep();
+}
+
+void SimulationNode::wait_for_readers(std::int64_t sequence) {
+  pacing_.wait(status_.run, sequence, parameters_.timeout, [this](const std::string& name) {
+    return readers_.hears(name) || (wall_readers_ && wall_readers_->hears(name));
+  });
 }
 
 void SimulationNode::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {

@@ -52,6 +52,8 @@ class SimulationNode {
   void publish_status(const Run& run, std::uint8_t phase, const std::string& error = {});
   void take_answer(const ErrorControl& control);
   void keep_pace();
+  void wait_for_readers(std::int64_t sequence);
+  void close_bag(bool complete);
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   ros::Time stamp(const Run& run) const;
 

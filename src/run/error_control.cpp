@@ -205,6 +205,7 @@ void ErrorControl::conclude(double noise) {
   const std::vector<FinishedRun> runs(runs_.end() - static_cast<std::ptrdiff_t>(count),
                                       runs_.end());
   std::vector<Sample> samples;
+  samples.reserve(count);
   for (const FinishedRun& run : runs) samples.push_back({step_of(run.resolution), 0.0});
   const Restitution& finest = runs_.back().measured;
   answer_ = {finest, {}};

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "nodes/inventory.hpp"
 #include "nodes/series_analysis.hpp"
 #include "nodes/series_fits.hpp"
 #include "scene/parameter_table.hpp"
@@ -36,48 +37,38 @@ class Pipeline {
 
   void add(const rosbag::MessageInstance& message) {
     if (is_of_wall(message.getTopic())) {
-      count<lattice_impact::Lattice>(message) || count<lattice_impact::ParticleStates>(message) ||
-          count<lattice_impact::ContactForces>(message);
+      of_wall<lattice_impact::Lattice>(message) ||
+          of_wall<lattice_impact::ParticleStates>(message) ||
+          of_wall<lattice_impact::ContactForces>(message);
       return;
     }
     take<lattice_impact::Lattice>(message) || take<lattice_impact::ParticleStates>(message) ||
         take<lattice_impact::ContactForces>(message) || take_status(message) ||
-        count<lattice_impact::Strain>(message) || count<lattice_impact::Restitution>(message) ||
-        count<lattice_impact::LawFit>(message);
+        result<lattice_impact::Strain>(message) || result<lattice_impact::Restitution>(message) ||
+        result<lattice_impact::LawFit>(message);
   }
 
   void close() {
     analysis_.close();
-    for (const auto& status : last_status_) {
-      count_published("", status.second.states);
-      const auto& terms = status.second.terms;
-      if (std::find(terms.begin(), terms.end(), "elastic wall") != terms.end()) {
-        count_published(kWall, status.second.states);
+    for (const std::string& problem : inventory_.problems()) report(problem);
+    for (const auto& [topic, recorded] : recorded_results_) {
+      const std::uint64_t found = computed_results_[topic];
+      if (recorded != found) {
+        report(fmt::format("{}: {} messages, {} from the data", topic, recorded, found));
       }
-      published_[type<lattice_impact::RunStatus>()] += status.second.sequence + 1;
-      if (status.second.phase == lattice_impact::RunStatus::INTERRUPTED) {
-        report(fmt::format("run {}: interrupted", status.first));
-      }
-      if (status.second.phase == lattice_impact::RunStatus::FAILED) {
-        report(fmt::format("run {}: {}", status.first, status.second.error));
-      }
-    }
-    for (const auto& topic : topics_) {
-      complete_ = complete_ && topic.second.recorded == published_[topic.second.type];
     }
   }
 
-  bool has_runs() const { return !topics_.empty(); }
+  bool has_runs() const { return !recorded_.empty() || !recorded_results_.empty(); }
   bool complete() const { return complete_; }
 
   YAML::Node topics() {
     YAML::Node node;
-    for (const auto& topic : topics_) {
-      YAML::Node counts;
-      counts["published"] = published_[topic.second.type];
-      counts["recorded"] = topic.second.recorded;
-      counts.SetStyle(YAML::EmitterStyle::Flow);
-      node[topic.first] = counts;
+    for (const auto& [topic, recorded] : recorded_) {
+      node[full_name(topic)] = counts(inventory_.published(topic), recorded);
+    }
+    for (const auto& [topic, recorded] : recorded_results_) {
+      node[full_name(topic)] = counts(computed_results_.at(topic), recorded);
     }
     return node;
   }
@@ -94,53 +85,65 @@ class Pipeline {
   }
 
   /// The topics of an elastic wall are counted only.
-  static constexpr const char* kWall = "wall/";
   bool is_of_wall(const std::string& topic) const {
-    const std::string prefix = (name_space_ == "/" ? "" : name_space_) + "/" + kWall;
-    return topic.compare(0, prefix.size(), prefix) == 0;
+    return topic.compare(0, prefix().size() + 5, prefix() + "wall/") == 0;
+  }
+  std::string prefix() const { return (name_space_ == "/" ? "" : name_space_) + "/"; }
+  std::string full_name(const std::string& topic) const { return prefix() + topic; }
+  std::string short_name(const rosbag::MessageInstance& message) const {
+    return message.getTopic().substr(prefix().size());
   }
 
-  void count_published(const std::string& body, std::uint32_t states) {
-    published_[body + type<lattice_impact::Lattice>()] += 1;
-    published_[body + type<lattice_impact::ParticleStates>()] += states;
-    published_[body + type<lattice_impact::ContactForces>()] += states;
+  static YAML::Node counts(std::uint64_t published, std::uint64_t recorded) {
+    YAML::Node node;
+    node["published"] = published;
+    node["recorded"] = recorded;
+    node.SetStyle(YAML::EmitterStyle::Flow);
+    return node;
   }
 
-  struct Topic {
-    std::string type;  ///< of its messages, after "wall/" where it is the wall's
-    std::uint64_t recorded = 0;
-  };
+  /// Null for a message of another type.
+  template <class Message>
+  boost::shared_ptr<Message> counted(const rosbag::MessageInstance& message) {
+    if (!message.isType<Message>()) return nullptr;
+    ++recorded_[short_name(message)];
+    return message.instantiate<Message>();
+  }
 
   template <class Message>
-  static std::string type() {
-    return ros::message_traits::DataType<Message>::value();
-  }
-
-  template <class Message>
-  bool count(const rosbag::MessageInstance& message) {
-    if (!message.isType<Message>()) return false;
-    Topic& topic = topics_[message.getTopic()];
-    topic.type = (is_of_wall(message.getTopic()) ? kWall : "") + type<Message>();
-    ++topic.recorded;
-    return true;
+  bool of_wall(const rosbag::MessageInstance& message) {
+    const auto content = counted<Message>(message);
+    if (content) inventory_.add(short_name(message), content->run);
+    return content != nullptr;
   }
 
   template <class Message>
   bool take(const rosbag::MessageInstance& message) {
-    if (!count<Message>(message)) return false;
-    analysis_.add(*message.instantiate<Message>());
+    const auto content = counted<Message>(message);
+    if (!content) return false;
+    inventory_.add(short_name(message), content->run);
+    analysis_.add(*content);
     return true;
   }
 
   bool take_status(const rosbag::MessageInstance& message) {
-    if (!message.isType<lattice_impact::RunStatus>()) return false;
-    const auto status = message.instantiate<lattice_impact::RunStatus>();
-    last_status_[status->run] = *status;
-    return take<lattice_impact::RunStatus>(message);
+    const auto content = counted<lattice_impact::RunStatus>(message);
+    if (!content) return false;
+    inventory_.add(*content);
+    analysis_.add(*content);
+    return true;
+  }
+
+  template <class Message>
+  bool result(const rosbag::MessageInstance& message) {
+    if (!message.isType<Message>()) return false;
+    ++recorded_results_[short_name(message)];
+    computed_results_.try_emplace(short_name(message), 0);
+    return true;
   }
 
   void add_result(const lattice_impact::Strain& strain) {
-    ++published_[type<lattice_impact::Strain>()];
+    ++computed_results_["strain"];
     if (strain.at_rest == 0) return;
     YAML::Node node;
     node["run"] = strain.run;
@@ -152,7 +155,7 @@ class Pipeline {
   }
 
   void add_result(const lattice_impact::Restitution& restitution) {
-    ++published_[type<lattice_impact::Restitution>()];
+    ++computed_results_["restitution"];
     if (restitution.ended == 0) return;
     YAML::Node node;
     node["run"] = restitution.run;
@@ -167,16 +170,18 @@ class Pipeline {
   }
 
   void add_result(const lattice_impact::LawFit& law) {
-    ++published_[type<lattice_impact::LawFit>()];
+    ++computed_results_["law_fit"];
     law_fits_[law.scene] = law;
   }
 
   SeriesFits fits_;
   SeriesAnalysis analysis_;
   std::string name_space_;
-  std::map<std::string, Topic> topics_;                             ///< recorded, by name
-  std::map<std::string, std::uint64_t> published_;                  ///< by Topic::type
-  std::map<std::uint32_t, lattice_impact::RunStatus> last_status_;  ///< by run
+  Inventory inventory_;
+  // Messages by topic below the namespace.
+  std::map<std::string, std::uint64_t> recorded_;
+  std::map<std::string, std::uint64_t> recorded_results_;
+  std::map<std::string, std::uint64_t> computed_results_;
   std::vector<YAML::Node> results_;
   std::map<std::string, lattice_impact::LawFit> law_fits_;  ///< by the keys that the runs share
   bool complete_ = true;

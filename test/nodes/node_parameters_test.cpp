@@ -19,7 +19,8 @@ std::string readme() { return content(SOURCE_DIR "/README.md"); }
 TEST(Readme, HasTheTablesOfNodeParameters) {
   for (const std::string& table :
        {markdown_table(simulation_node_parameters(), SimulationNodeParameters{}),
-        markdown_table(analysis_node_parameters(), AnalysisNodeParameters{})}) {
+        markdown_table(analysis_node_parameters(), AnalysisNodeParameters{}),
+        markdown_table(recorder_node_parameters(), RecorderNodeParameters{})}) {
     EXPECT_NE(readme().find(table), std::string::npos) << "README.md should hold\n" << table;
   }
 }

@@ -12,7 +12,7 @@ from lattice_impact.msg import ParticleStates, RunStatus
 
 from programs import (ENDLESS_COLLISION, IMPACT_RESULTS, PACKAGE, SMALL_ABSORBING_WALL,
                       SMALL_COLLISION, SMALL_CONTACT, BagAnalysis, Inbox, bag_messages, impact,
-                      launch, random_namespace, simulation)
+                      launch, limited_to, random_namespace, recorder, simulation)
 
 
 class BagTest(unittest.TestCase):
@@ -21,6 +21,7 @@ class BagTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
         self.bag = os.path.join(self.folder, 'run.bag')
+        self.incomplete = os.path.join(self.folder, 'run.incomplete.bag')
         self.namespace = random_namespace()
 
     def simulate(self, scene, values):
@@ -83,25 +84,26 @@ class BagTest(unittest.TestCase):
             self.wait_for_state(20)
             node.send(signal_number)
             self.assertEqual(node.wait(), 1)
-            self.assertEqual(node.stderr(), '')
+            self.assertIn('kept as ' + self.incomplete, node.stderr())
 
     def wait_for_state(self, sequence):
         with Inbox(self.namespace + '/particle_states', ParticleStates) as states:
             states.wait(lambda message: message.sequence >= sequence, 'of mid-run')
 
     def assert_closed_but_incomplete(self):
-        self.assertEqual(os.listdir(self.folder), ['run.bag'])
-        analysis = BagAnalysis(self.bag)
+        self.assertEqual(os.listdir(self.folder), [os.path.basename(self.incomplete)])
+        analysis = BagAnalysis(self.incomplete)
         self.assertEqual(analysis.exit_code, 1)
-        self.assertIn(self.bag + ' is not complete', analysis.problems)
+        self.assertIn(self.incomplete + ' is not complete', analysis.problems)
+        self.assertIn('run 0: interrupted', analysis.problems)
         run, = analysis.runs
         self.assertFalse(run['complete'])
         self.assertGreater(analysis.topics[self.namespace + '/particle_states']['recorded'], 20)
 
     def assert_end_is_announced(self):
-        status = bag_messages(self.bag, self.namespace + '/run_status')[-1]
+        status = bag_messages(self.incomplete, self.namespace + '/run_status')[-1]
         self.assertEqual(status.phase, RunStatus.INTERRUPTED)
-        self.assertEqual(len(bag_messages(self.bag, self.namespace + '/particle_states')),
+        self.assertEqual(len(bag_messages(self.incomplete, self.namespace + '/particle_states')),
                          status.states)
 
     def test_sigint_closes_the_bag_of_the_node(self):
@@ -122,6 +124,53 @@ class BagTest(unittest.TestCase):
             run.send(signal.SIGINT)
             run.wait()
         self.assert_closed_but_incomplete()
+
+    def test_recording_ends_when_the_simulation_is_killed(self):
+        with recorder(self.namespace, bag=self.bag, patience=0.5) as recording:
+            with simulation(self.namespace, 'collision', ENDLESS_COLLISION, max_rate=200.0,
+                            wait_for=['recorder'], acknowledged_by=['recorder']) as node:
+                self.wait_for_state(20)
+                node.send(signal.SIGKILL)
+                self.assertEqual(recording.wait(), 1)
+        self.assertIn('its end was not announced', recording.stderr())
+        self.assertIn('kept as ' + self.incomplete, recording.stderr())
+        self.assertEqual(os.listdir(self.folder), [os.path.basename(self.incomplete)])
+
+    def test_simulation_ends_when_the_recorder_is_killed(self):
+        """What the recorder leaves is named by the next one, and can be mended."""
+        with recorder(self.namespace, bag=self.bag) as recording:
+            with simulation(self.namespace, 'collision', ENDLESS_COLLISION, max_rate=200.0,
+                            wait_for=['recorder'], acknowledged_by=['recorder']) as node:
+                self.wait_for_state(20)
+                recording.send(signal.SIGKILL)
+                self.assertEqual(node.wait(), 1)
+                self.assertIn('simulation_node: gone in mid-run: {}/recorder to '.format(
+                    self.namespace), node.stderr())
+        left = self.bag + '.active'
+        self.assertEqual(os.listdir(self.folder), [os.path.basename(left)])
+        with recorder(self.namespace, bag=self.bag, timeout=0.5) as recording:
+            self.assertEqual(recording.wait(), 1)
+            self.assertIn('`rosbag reindex {}`'.format(left), recording.stderr())
+            self.assertIn('no message for 0.5 s', recording.stderr())
+        self.assertEqual(os.listdir(self.folder), [os.path.basename(left)])
+
+    def test_full_disk_ends_in_one_line(self):
+        """A limit on the size of files stands for a full disk."""
+        with open(self.bag, 'wb') as file:
+            file.write(b'good')
+        for kind in ('simulation_node', 'recorder_node'):
+            with limited_to(2000000, kind), recorder(self.namespace, bag=self.bag) as recording:
+                own = {} if kind == 'recorder_node' else {'bag': self.bag}
+                with simulation(self.namespace, 'collision', SMALL_COLLISION,
+                                wait_for=['recorder'], acknowledged_by=['recorder'],
+                                **own) as node:
+                    self.assertEqual(node.wait(), 1)
+                    failing = recording if kind == 'recorder_node' else node
+                    self.assertEqual(failing.wait(), 1)
+                    self.assertRegex(failing.stderr(), kind + ': .* cannot be written: .*File too large')
+                    self.assertNotIn('terminate', failing.stderr())
+        with open(self.bag, 'rb') as file:
+            self.assertEqual(file.read(), b'good')
 
 
 if __name__ == '__main__':

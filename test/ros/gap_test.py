@@ -67,12 +67,14 @@ class GapTest(unittest.TestCase):
 
     def analyse(self, messages, exit_code, patience=TIMEOUT):
         """The last result, and what the node complained of."""
-        with Results(self.namespace) as results, Sender(self.namespace) as sender:
+        with Results(self.namespace) as results:
             with analysis(self.namespace, wait_for=[rospy.get_name()], patience=patience,
                           exit_when_done=True) as node:
-                sender.send(messages)
+                with Sender(self.namespace) as sender:
+                    sender.send(messages)
+                    result = results.final_restitution()
                 self.assertEqual(node.wait(), exit_code, node.stderr())
-                return results.final_restitution(), node.stderr()
+                return result, node.stderr()
 
     def assert_incomplete(self, result):
         self.assertTrue(result.ended)

@@ -4,7 +4,9 @@ A scene is told by the name of its file and a dict of dotted keys that replace t
 so that the nodes and the tools are given the same.
 """
 
+import contextlib
 import os
+import resource
 import signal
 import subprocess
 import tempfile
@@ -110,11 +112,13 @@ def bag_messages(bag, topic):
 class Process:
     """A program in the background, whose output goes to files. Ends with the `with` block."""
 
-    def __init__(self, command, environment=None):
+    def __init__(self, command, environment=None, before_start=None):
         self._stdout = tempfile.TemporaryFile()
         self._stderr = tempfile.TemporaryFile()
         self._process = subprocess.Popen(command, stdout=self._stdout, stderr=self._stderr,
-                                         env=dict(os.environ, **(environment or {})))
+                                         env=dict(os.environ, **(environment or {})),
+                                         restore_signals=before_start is None,
+                                         preexec_fn=before_start)
 
     def __enter__(self):
         return self
@@ -156,12 +160,29 @@ class Process:
         return file.read().decode()
 
 
+@contextlib.contextmanager
+def limited_to(size, kind):
+    """Nodes of this kind that start meanwhile cannot write files larger than `size` bytes."""
+    def limit():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+    _limits[kind] = limit
+    try:
+        yield
+    finally:
+        del _limits[kind]
+
+
+_limits = {}
+
+
 def node(kind, name, parameters, environment=None):
     """A node in the background, with these private parameters. Its name is absolute."""
     namespace, base = name.rsplit('/', 1)
     if parameters:
         rospy.set_param(name, parameters)
-    return Process([program(kind), '__ns:=' + namespace, '__name:=' + base], environment)
+    return Process([program(kind), '__ns:=' + namespace, '__name:=' + base], environment,
+                   _limits.get(kind))
 
 
 def simulation(namespace, scene, values, environment=None, **parameters):
@@ -173,6 +194,11 @@ def simulation(namespace, scene, values, environment=None, **parameters):
 
 def analysis(namespace, environment=None, **parameters):
     return node('analysis_node', namespace + '/analysis',
+                dict({'timeout': NODE_TIMEOUT}, **parameters), environment)
+
+
+def recorder(namespace, environment=None, **parameters):
+    return node('recorder_node', namespace + '/recorder',
                 dict({'timeout': NODE_TIMEOUT}, **parameters), environment)
 
 

@@ -10,8 +10,8 @@ import rosgraph
 import rospy
 import rostest
 
-from programs import (IMPACT_RESULTS, PACKAGE, TIMEOUT, BagAnalysis, Process, bag_messages, bits,
-                      impact, launch, poll_until, program, random_namespace)
+from programs import (IMPACT_RESULTS, PACKAGE, TIMEOUT, BagAnalysis, bag_messages, bits, impact,
+                      launch, poll_until, random_namespace, recorder)
 from results import Results
 
 SERIES = {'N': 60, 'eta': 10, 'velocity': [0.01, 0.02, 0.03, 0.05, 0.08], 'period': 0.1}
@@ -31,6 +31,7 @@ class RecordingTest(unittest.TestCase):
                     velocity=SCENE['impact.velocity']) as run:
             run.wait()
             cls.output = run.stdout()
+            cls.errors = run.stderr()
         cls.strain = bag_messages(cls.bag, cls.namespace + '/strain')
         cls.restitution = bag_messages(cls.bag, cls.namespace + '/restitution')
         cls.law_fit = bag_messages(cls.bag, cls.namespace + '/law_fit')
@@ -49,7 +50,11 @@ class RecordingTest(unittest.TestCase):
             self.assertEqual(counts['recorded'], len(bag_messages(self.bag, topic)), topic)
 
     def test_recorder_reports_when_it_ends(self):
-        self.assertIn(self.namespace + '/particle_states: {published: ', self.output)
+        self.assertIn('recorded 1 run(s) in ' + self.bag, self.output)
+
+    def test_launch_ends_without_an_alarm(self):
+        self.assertNotIn('REQUIRED', self.output + self.errors)
+        self.assertNotIn('\x1b[31m', self.output + self.errors)  # red
 
     def test_refused_run_does_not_show_an_earlier_one(self):
         with launch('collision.launch', ns=self.namespace, bag=self.bag, N='ten') as run:
@@ -61,15 +66,15 @@ class RecordingTest(unittest.TestCase):
         with open(self.bag, 'rb') as file:
             earlier = file.read()
         files = os.listdir(self.folder.name)
-        name = self.namespace + '/idle_recorder'
-        with Process([program('record'), self.bag, 'silence', '__name:=idle_recorder'],
-                     {'ROS_NAMESPACE': self.namespace}) as recorder:
+        idle = random_namespace()
+        name = idle + '/recorder'
+        with recorder(idle, bag=self.bag) as recording:
             subscribers = lambda: dict(rosgraph.Master(name).getSystemState()[1])
-            poll_until(lambda: name in subscribers().get(self.namespace + '/silence', []), name)
+            poll_until(lambda: name in subscribers().get(idle + '/run_status', []), name)
             address = rosgraph.Master(name).lookupNode(name)
             xmlrpc.client.ServerProxy(address).shutdown(name, 'end of the test')
-            self.assertEqual(recorder.wait(), 1)
-            self.assertIn('nothing was recorded', recorder.stdout())
+            self.assertEqual(recording.wait(), 1)
+            self.assertIn('nothing was recorded', recording.stderr())
         with open(self.bag, 'rb') as file:
             self.assertEqual(file.read(), earlier)
         self.assertEqual(os.listdir(self.folder.name), files)
