@@ -132,8 +132,8 @@ class BagTest(unittest.TestCase):
                 self.wait_for_state(20)
                 node.send(signal.SIGKILL)
                 self.assertEqual(recording.wait(), 1)
-        self.assertIn('its end was not announced', recording.stderr())
-        self.assertIn('kept as ' + self.incomplete, recording.stderr())
+                self.assertIn('its end was not announced', recording.stderr())
+                self.assertIn('kept as ' + self.incomplete, recording.stderr())
         self.assertEqual(os.listdir(self.folder), [os.path.basename(self.incomplete)])
 
     def test_simulation_ends_when_the_recorder_is_killed(self):
