@@ -7,7 +7,7 @@ packages="g++ make cmake catkin ros-message-generation ros-std-msgs ros-geometry
   librosbag-dev librostest-dev libgtest-dev libbenchmark-dev python3-rostest python3-rosbag
   python3-roslaunch python3-matplotlib python3-numpy rosbash libboost-dev libeigen3-dev
   libcgal-dev libyaml-cpp-dev libcli11-dev libfmt-dev libgsl-dev
-  libsundials-dev libtbb-dev"
+  libsundials-dev libtbb-dev zlib1g-dev"
 
 as_root() {
   if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi

@@ -12,7 +12,8 @@ namespace impact {
 /// too narrow, or a run given up.
 template <class Flags>
 bool is_sound(const Flags& flags) {
-  const std::array<std::string, 4> harmless{"step_reduced", "folded", "hops", "several_rests"};
+  const std::array<std::string, 6> harmless{"step_reduced",  "folded",         "hops",
+                                            "several_rests", "charge_ignored", "floppy"};
   return std::all_of(flags.begin(), flags.end(), [&harmless](const std::string& flag) {
     return std::find(harmless.begin(), harmless.end(), flag) != harmless.end();
   });

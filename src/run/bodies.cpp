@@ -2,25 +2,52 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "lattice/input_error.hpp"
-#include "lattice/lammps_data.hpp"
 #include "lattice/placement.hpp"
+#include "run/file_lattice.hpp"
 
 namespace impact {
 namespace {
 
-Lattice disk_lattice(const Scene& scene) {
-  if (!scene.disk.file.empty()) {
-    try {
-      return read_lammps_data(scene.disk.file);
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("disk.file: {}", error.what()));
-    }
+/// Distance of the farthest point from the mean of all.
+double radius_of(const Lattice& lattice) {
+  return std::sqrt((lattice.points.rowwise() - lattice.points.colwise().mean())
+                       .square()
+                       .rowwise()
+                       .sum()
+                       .maxCoeff());
+}
+
+/// @throw InputError for a radius that is off by more than a fifth, if it is not to be scaled.
+Lattice scaled(Lattice lattice, FileScale scale) {
+  constexpr double kMostDeviation = 0.2;
+  const double radius = radius_of(lattice);
+  if (scale == FileScale::kRadius) {
+    return make_lattice(lattice.points / radius, std::move(lattice.bonds));
   }
-  return triangulated_lattice(place_in_disk(scene.disk.recipe, scene.seed));
+  if (std::abs(radius - 1.0) > kMostDeviation) {
+    throw InputError(fmt::format(
+        "the radius is {:.4g}, allowed: 0.8 … 1.2, or disk.scale: radius, which makes it 1",
+        radius));
+  }
+  return lattice;
+}
+
+FileLattice disk_lattice(const Scene& scene) {
+  if (scene.disk.file.empty()) {
+    return {triangulated_lattice(place_in_disk(scene.disk.recipe, scene.seed)), {}};
+  }
+  try {
+    FileLattice file = lattice_of_file(scene.disk.file);
+    file.lattice = scaled(std::move(file.lattice), scene.disk.scale);
+    return file;
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("disk.file: {}", error.what()));
+  }
 }
 
 /// The rectangle of a stretch scene, with the disk's number density.
@@ -55,10 +82,16 @@ Spectrum unit_spectrum(const Lattice& lattice, bool damped) {
 }  // namespace
 
 std::shared_ptr<const Bodies> make_bodies(const Scene& scene) {
-  Lattice disk =
-      scene.kind == SceneKind::kStretch ? stretched_rectangle(scene) : disk_lattice(scene);
+  auto [disk, flags] = scene.kind == SceneKind::kStretch
+                           ? FileLattice{stretched_rectangle(scene), {}}
+                           : disk_lattice(scene);
   std::optional<ElasticWallBody> wall;
-  if (has_wall_lattice(scene)) wall = elastic_wall_body(scene, disk.points.rows());
+  if (has_wall_lattice(scene)) {
+    wall = elastic_wall_body(scene, disk.points.rows());
+    for (const std::string& flag : wall->flags) {
+      if (std::find(flags.begin(), flags.end(), flag) == flags.end()) flags.push_back(flag);
+    }
+  }
   const Lattice all = wall ? joined(disk, wall->lattice) : disk;
   Triangles triangles(disk);
   std::optional<Triangles> wall_triangles;
@@ -70,13 +103,14 @@ std::shared_ptr<const Bodies> make_bodies(const Scene& scene) {
   const Flexibility of_wall = flies && wall ? flexibility(wall->lattice) : Flexibility{};
   return std::make_shared<const Bodies>(
       Bodies{std::move(disk), std::move(wall), std::move(triangles), std::move(wall_triangles),
-             BondForces(all, BondLaw{}), spectrum, of_disk, of_wall});
+             BondForces(all, BondLaw{}), spectrum, of_disk, of_wall, std::move(flags)});
 }
 
 std::string key_of_bodies(const Scene& scene) {
   const PlacementRecipe& recipe = scene.disk.recipe;
   std::string key = fmt::format("{} {} {} {} {}", scene.seed, recipe.points,
                                 static_cast<int>(recipe.placement), recipe.rim, scene.disk.file);
+  key += fmt::format(" {}", static_cast<int>(scene.disk.scale));
   if (scene.kind == SceneKind::kStretch) {
     key += fmt::format("\nstretch {} {}", scene.stretch.width, scene.stretch.height);
   }

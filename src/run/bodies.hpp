@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lattice/lattice.hpp"
 #include "mechanics/bond_forces.hpp"
@@ -25,6 +26,7 @@ struct Bodies {
   std::optional<Spectrum> spectrum;  ///< of all bonds, for k_a = 1, m = 1 and η = 1
   Flexibility flexibility{};         ///< of the disk that is thrown
   Flexibility wall_flexibility{};
+  std::vector<std::string> flags;  ///< Run::flags() that files lead to
 };
 
 /// With the spectrum if the scene is one of motion, with its γ if the scene is damped.

@@ -1,10 +1,13 @@
 #include "run/compose.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "lattice/input_error.hpp"
 #include "run/elastic_wall_body.hpp"
 #include "run/expected_time.hpp"
 #include "run/forecast.hpp"
@@ -110,6 +113,14 @@ State start_of(const Composition& composition, const Resolution& resolution) {
 Composition compose(const Scene& scene, std::shared_ptr<const Bodies> bodies) {
   refuse_if_too_long(scene, bodies->disk.points.rows(),
                      bodies->wall ? bodies->wall->lattice.points.rows() : 0);
+  const auto& flags = bodies->flags;
+  if (scene.kind == SceneKind::kContact &&
+      std::find(flags.begin(), flags.end(), "floppy") != flags.end()) {
+    throw InputError(fmt::format(
+        "disk.file: {}: the lattice is floppy, it can change its shape without a change of a bond: "
+        "a contact has no state of rest",
+        scene.disk.file));
+  }
   return scene.kind == SceneKind::kStretch ? compose_stretch(scene, std::move(bodies))
                                            : compose_on_wall(scene, std::move(bodies));
 }

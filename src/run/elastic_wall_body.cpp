@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "lattice/input_error.hpp"
-#include "lattice/lammps_data.hpp"
 #include "lattice/placement.hpp"
+#include "run/file_lattice.hpp"
 
 namespace impact {
 namespace {
@@ -118,13 +118,13 @@ ElasticWallBody elastic_wall_body(const Scene& scene, Eigen::Index disk_points) 
     Lattice lattice = placed_wall(scene, disk_points);
     move_into_place(lattice);
     RectangleSides sides = rectangle_sides(lattice);
-    return {std::move(lattice), std::move(sides)};
+    return {std::move(lattice), std::move(sides), {}};
   }
   try {
-    Lattice lattice = read_lammps_data(scene.wall.file);
+    auto [lattice, flags] = lattice_of_file(scene.wall.file);
     move_into_place(lattice);
     RectangleSides sides = rectangle_sides(lattice);
-    return {std::move(lattice), std::move(sides)};
+    return {std::move(lattice), std::move(sides), std::move(flags)};
   } catch (const InputError& error) {
     throw InputError(fmt::format("wall.file: {}", error.what()));
   }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "lattice/lattice.hpp"
 #include "lattice/rectangle_sides.hpp"
 #include "mechanics/force_field.hpp"
@@ -11,6 +14,7 @@ namespace impact {
 struct ElasticWallBody {
   Lattice lattice;
   RectangleSides sides;
+  std::vector<std::string> flags{};  ///< Run::flags() that its file leads to
 };
 
 /// The wall of the scene: from its file, or placed by the disk's recipe, with a rim, in a rectangle

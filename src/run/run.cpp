@@ -70,6 +70,7 @@ Run::Run(const Scene& scene, std::shared_ptr<const Composition> composition,
       search_(dynamic_cast<EquilibriumSearch*>(motion_.get())),
       monitor_(motion_->ledger()),
       recorder_(*motion_, contact_force(scene)),
+      flags_(composition_->bodies->flags),
       integrator_(resolution.integrator) {
   if (scene.kind != SceneKind::kCollision) return;
   const double v = scene.impact.velocity;

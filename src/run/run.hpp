@@ -78,8 +78,9 @@ class Run {
   /// triangle of a lattice turned over at one of the looks that are taken every 64 steps and at the
   /// end), `beside_wall` (at one of those looks a part of the disk lay beside an elastic wall,
   /// where one that went on would have held more energy than numerics.error allows: the wall is too
-  /// narrow), `hops` (EnergyLedger::hops_size exceeds 1 % of the impact's energy), `several_rests`
-  /// (see rests_elsewhere()), `not_separated` or `not_at_rest` (given up).
+  /// narrow), `hops` (EnergyLedger::hops_size exceeds 1 % of the impact's energy), `charge_ignored`
+  /// (of a file), `floppy` (a lattice from a file that can change its shape without a change of a
+  /// bond), `several_rests` (see rests_elsewhere()), `not_separated` or `not_at_rest` (given up).
   const std::vector<std::string>& flags() const { return flags_; }
   bool has_flag(const std::string& flag) const;
 

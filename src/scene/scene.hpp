@@ -49,6 +49,9 @@ inline bool is_adaptive(IntegratorKind kind) {
   return kind == IntegratorKind::kBdf || kind == IntegratorKind::kRk8pd;
 }
 
+/// What the lengths of a disk's file are multiplied by: 1, or what makes its radius 1.
+enum class FileScale { kNone, kRadius };
+
 /// The numbers of a whole simulation. Units: lengths in the disk's radius R, speeds in c, masses
 /// in the disk's mass M. parameters() has the meaning, unit and range of each member.
 struct Scene {
@@ -58,6 +61,7 @@ struct Scene {
   struct Disk {
     PlacementRecipe recipe;
     std::string file;  ///< a LAMMPS data file that replaces the recipe; empty: none
+    FileScale scale = FileScale::kNone;  ///< of the file's lengths
   } disk;
 
   struct Material {

@@ -66,7 +66,12 @@ Table disk_keys() {
       only(is_moved,
            text<Scene>(
                "disk.file", "LAMMPS data file of a lattice that replaces points, placement and rim",
-               [](auto& s) -> auto& { return s.disk.file; }))};
+               [](auto& s) -> auto& { return s.disk.file; })),
+      only(is_moved,
+           choice<Scene, FileScale>(
+               "disk.scale", {{"none", FileScale::kNone}, {"radius", FileScale::kRadius}},
+               "of the lengths in disk.file: none, for a radius of 0.8 … 1.2, or radius: made 1",
+               [](auto& s) -> auto& { return s.disk.scale; }))};
 }
 
 Table material_keys() {

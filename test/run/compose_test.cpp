@@ -7,6 +7,7 @@
 
 #include "expect_input_error.hpp"
 #include "lattice/lammps_data.hpp"
+#include "lattice/placement.hpp"
 
 namespace impact {
 namespace {
@@ -221,6 +222,38 @@ TEST(Compose, TakesALatticeFromAFile) {
   EXPECT_EQ(again.resolution.step, original.resolution.step);
   scene.disk.file = "/nowhere/lattice.data";
   EXPECT_INPUT_ERROR(compose(scene), "/nowhere/lattice.data: cannot be read");
+}
+
+TEST(Compose, ScalesAFileToRadiusOneOnRequest) {
+  const std::filesystem::path path = testing::TempDir() + "compose_test.data";
+  const Lattice disk = triangulated_lattice(place_in_disk({100, Placement::kBlueNoise, true}, 1));
+  write_lammps_data(make_lattice(3.5 * disk.points, disk.bonds), 0.01, path);
+  Scene scene;
+  scene.disk.file = path.string();
+  EXPECT_INPUT_ERROR(compose(scene), "the radius is 3.5");
+  scene.disk.scale = FileScale::kRadius;
+  const PointArray points = compose(scene).bodies->disk.points;
+  const auto from_middle = points.rowwise() - points.colwise().mean();
+  EXPECT_NEAR(from_middle.square().rowwise().sum().maxCoeff(), 1.0, 1e-14);
+}
+
+/// Four points in a square: with one diagonal stiff, without it none holds a load.
+TEST(Compose, FlagsAFloppyLatticeAndRefusesToPressIt) {
+  const std::filesystem::path path = testing::TempDir() + "compose_test.data";
+  PointArray points(4, 2);
+  points << 1.0, 0.1, -0.1, 1.0, -1.0, -0.1, 0.1, -1.0;
+  const std::vector<Bond> sides{{0, 1}, {1, 2}, {2, 3}, {0, 3}};
+  write_lammps_data(make_lattice(points, sides), 0.25, path);
+  Scene scene;
+  scene.disk.file = path.string();
+  EXPECT_EQ(compose(scene).bodies->flags, std::vector<std::string>{"floppy"});
+  scene.kind = SceneKind::kContact;
+  EXPECT_INPUT_ERROR(compose(scene), "the lattice is floppy");
+
+  std::vector<Bond> braced = sides;
+  braced.push_back({0, 2});
+  write_lammps_data(make_lattice(points, braced), 0.25, path);
+  EXPECT_TRUE(compose(scene).bodies->flags.empty());
 }
 
 }  // namespace

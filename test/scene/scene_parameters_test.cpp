@@ -43,7 +43,8 @@ TEST(ParseScene, HasTheKeysOfItsKind) {
   const std::string of_contact = "load.P load.hold_rotation ";
   const std::string of_collision = "impact.velocity impact.gap ";
   const std::string of_stretch = "stretch.width stretch.height stretch.strain ";
-  const std::string of_motion = "disk.rim disk.file material.eta wall.type wall.a wall.V0 ";
+  const std::string of_motion =
+      "disk.rim disk.file disk.scale material.eta wall.type wall.a wall.V0 ";
   EXPECT_EQ(missing_keys("{scene: collision}"), of_elastic_wall + of_contact + of_stretch);
   EXPECT_EQ(missing_keys("{scene: collision, wall: {type: lattice}}"), of_contact + of_stretch);
   EXPECT_EQ(missing_keys("{scene: contact, material: {eta: 1}}"),
@@ -213,7 +214,8 @@ TEST_P(SceneFiles, AreCompleteAndValid) {
   const FlatTree tree = load_keys(std::string(SOURCE_DIR "/launch/scenes/") + GetParam());
   const Scene scene = parse_scene(tree);
   for (const Parameter<Scene>& parameter : scene_parameters()) {
-    const bool replaces = parameter.key == "disk.file" || parameter.key == "wall.file";
+    const bool replaces = parameter.key == "disk.file" || parameter.key == "disk.scale" ||
+                          parameter.key == "wall.file";
     if (!parameter.applies(scene) || replaces) continue;
     EXPECT_EQ(tree.count(parameter.key), 1U) << parameter.key;
   }
