@@ -89,7 +89,9 @@ void Pacing::wait(std::uint32_t run, std::int64_t sequence, double timeout,
   last_news_ = ros::WallTime::now();
   for (const auto& reader : acknowledged_) {
     while (reader.second < Position{run, sequence} && !interrupted()) {
-      if (!is_there(reader.first)) {
+      if (is_there(reader.first)) {
+        seen_.insert(reader.first);
+      } else if (seen_.count(reader.first) > 0) {
         throw std::runtime_error(fmt::format("{} has gone in mid-run", reader.first));
       }
       if ((ros::WallTime::now() - last_news_).toSec() > timeout) {

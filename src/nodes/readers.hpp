@@ -66,8 +66,8 @@ class Pacing {
 
   /// Waits until every reader has acknowledged the message `sequence` of `run` or a later one, or
   /// until `interrupted`.
-  /// @throw std::runtime_error when one that has not is not there any more, as `is_there` says of
-  /// its name, or when nothing is acknowledged for `timeout` seconds.
+  /// @throw std::runtime_error when one that has not was there and is not any more, as `is_there`
+  /// says of its name, or when nothing is acknowledged for `timeout` seconds.
   void wait(std::uint32_t run, std::int64_t sequence, double timeout,
             const std::function<bool(const std::string&)>& is_there);
 
@@ -75,6 +75,7 @@ class Pacing {
   using Position = std::pair<std::int64_t, std::int64_t>;  // run, sequence
 
   std::map<std::string, Position> acknowledged_;  ///< by reader
+  std::set<std::string> seen_;                    ///< readers that were there
   ros::WallTime last_news_;
   ros::Subscriber subscriber_;
 };

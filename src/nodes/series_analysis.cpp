@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <utility>
 
+#include "nodes/checksum.hpp"
 #include "scene/scene_parameters.hpp"
 
 namespace impact {
@@ -48,7 +50,14 @@ const char* phase_flag(const lattice_impact::RunStatus& status) {
 }  // namespace
 
 void SeriesAnalysis::add(const lattice_impact::Lattice& message) {
-  open_run(message.run).strain_meter.emplace(from_message(message).points);
+  Run& run = open_run(message.run);
+  run.checksum += checksum_of(message);
+  const std::string fault = run.checks.fault_of(message);
+  if (fault.empty()) {
+    run.strain_meter.emplace(from_message(message).points);
+  } else {
+    damage(run, message.run, "lattice: " + fault);
+  }
   advance(message.run);
 }
 
@@ -65,7 +74,17 @@ void SeriesAnalysis::add(const lattice_impact::ContactForces& message) {
 void SeriesAnalysis::add(const lattice_impact::RunStatus& message) {
   Run& run = open_run(message.run);
   run.status = message;
-  if (!run.scene) run.scene = parse_scene(flatten(YAML::Load(message.scene)));
+  std::string fault = RunChecks::fault_of(message);
+  if (!run.scene) {
+    try {
+      run.scene = parse_scene(flatten(YAML::Load(message.scene)));
+    } catch (const std::exception& error) {
+      fault = fmt::format("scene: {}", error.what());
+    }
+  }
+  if (!fault.empty()) {
+    damage(run, message.run, fmt::format("run_status {}: {}", message.sequence, fault));
+  }
   series_ended_ = has_ended(run.status) && (message.run + 1 == message.runs ||
                                             message.phase != lattice_impact::RunStatus::FINISHED);
   advance(message.run);
@@ -73,10 +92,11 @@ void SeriesAnalysis::add(const lattice_impact::RunStatus& message) {
 
 void SeriesAnalysis::advance(std::uint32_t number) {
   Run& run = open_run(number);
-  while (run.strain_meter && run.scene && !run.states.empty() && !run.forces.empty()) {
+  const bool is_known = (run.strain_meter && run.scene) || run.damaged;
+  while (is_known && !run.states.empty() && !run.forces.empty()) {
     const std::uint32_t sequence =
         std::max(run.states.front().sequence, run.forces.front().sequence);
-    if (sequence != run.next_sequence) report_gap(run, number, sequence);
+    if (sequence != run.next_sequence && !run.damaged) report_gap(run, number, sequence);
     if (run.states.front().sequence < sequence) {
       run.states.pop_front();
     } else if (run.forces.front().sequence < sequence) {
@@ -93,10 +113,20 @@ void SeriesAnalysis::advance(std::uint32_t number) {
 
 void SeriesAnalysis::take_in(Run& run, const lattice_impact::ParticleStates& states,
                              const lattice_impact::ContactForces& forces) {
+  run.next_sequence = states.sequence + 1;
+  run.checksum += checksum_of(states) + checksum_of(forces);
+  if (!run.damaged) {
+    const std::string fault =
+        run.checks.fault_of(states, forces, *run.scene, *run.status, !run.gap);
+    if (!fault.empty()) {
+      damage(run, states.run,
+             fmt::format("particle_states and contact_forces {}: {}", states.sequence, fault));
+    }
+  }
+  if (run.damaged) return;
   const State state = from_message(states);
   run.impact.add(state);
   run.impact.add(from_message(forces));
-  run.next_sequence = states.sequence + 1;
 
   lattice_impact::Strain strain = to_message(run.strain_meter->measure(state.position));
   strain.header = states.header;
@@ -109,6 +139,11 @@ void SeriesAnalysis::take_in(Run& run, const lattice_impact::ParticleStates& sta
     run.announced = true;
     publish_restitution(run, false, false);
   }
+}
+
+void SeriesAnalysis::damage(Run& run, std::uint32_t number, const std::string& what) const {
+  if (!run.damaged) outputs_.problem(fmt::format("run {}: damaged: {}", number, what));
+  run.damaged = true;
 }
 
 void SeriesAnalysis::report_gap(Run& run, std::uint32_t number, std::uint32_t found) const {
@@ -134,6 +169,7 @@ void SeriesAnalysis::publish_restitution(const Run& run, bool ended, bool comple
   message.flags = run.status->flags;
   if (const char* flag = phase_flag(*run.status)) message.flags.emplace_back(flag);
   if (run.gap) message.flags.emplace_back("incomplete");
+  if (run.damaged) message.flags.emplace_back("damaged");
   if (disagrees(message)) message.flags.emplace_back("disagrees");
   outputs_.restitution(message);
 }
@@ -144,6 +180,8 @@ lattice_impact::Restitution SeriesAnalysis::answer_of(const Run& run, bool compl
   copy_numbers(Restitution{}, message.error);
   message.restitution_of_run = of_run.restitution;
   message.restitution_of_run_error = Restitution::kNaN;
+  if (!complete) copy_numbers(Restitution{}, message);
+  if (run.damaged) message.velocity_before = Restitution::kNaN;
   if (!complete) return message;
   copy_numbers(run.status->answer, message);
   message.error = run.status->answer_error;
@@ -155,7 +193,15 @@ lattice_impact::Restitution SeriesAnalysis::answer_of(const Run& run, bool compl
 void SeriesAnalysis::close(std::uint32_t number) {
   Run& run = open_run(number);
   if (run.scene) {
-    const bool complete = !run.gap && is_answered(*run.status);
+    if (!run.gap && has_ended(run.status)) {
+      const std::string fault = run.checks.fault_at_end(*run.status, *run.scene, run.next_sequence);
+      if (!fault.empty()) damage(run, number, fault);
+      const std::uint64_t said = run.status->checksum;
+      if (said != 0 && said != checksum_with(run.checksum, *run.status)) {
+        damage(run, number, "the checksum does not hold: a message is not as it was published");
+      }
+    }
+    const bool complete = !run.gap && !run.damaged && is_answered(*run.status);
     if (run.scene->kind == SceneKind::kCollision) publish_restitution(run, true, complete);
     if (run.scene->kind == SceneKind::kContact && complete) {
       run.last_strain.at_rest = static_cast<std::uint8_t>(true);

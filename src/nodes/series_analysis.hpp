@@ -14,6 +14,7 @@
 #include "measure/impact_analysis.hpp"
 #include "measure/strain.hpp"
 #include "nodes/conversions.hpp"
+#include "nodes/run_checks.hpp"
 #include "scene/scene.hpp"
 
 namespace impact {
@@ -31,7 +32,8 @@ struct ClosedRun {
 /// Turns the messages of a series of runs into its results. Messages of one topic must come in the
 /// order in which they were published; between topics any order will do, so that a live
 /// connection, a replay and a bag that is read directly give the same bits. It knows of the
-/// physics only what the messages say.
+/// physics only what the messages say, and believes none unseen (RunChecks): a run with a message
+/// that cannot be has no numbers and the flag `damaged`, and the other runs keep theirs.
 class SeriesAnalysis {
  public:
   /// Where the results go.
@@ -71,6 +73,9 @@ class SeriesAnalysis {
     std::uint32_t next_sequence = 0;
     std::uint32_t strains_published = 0;
     bool gap = false;
+    bool damaged = false;  ///< nothing of it is believed
+    RunChecks checks;
+    std::uint64_t checksum = 0;  ///< of what was taken in
     ImpactAnalysis impact;
     lattice_impact::Strain last_strain;
     std::optional<lattice_impact::RunStatus> status;  ///< the latest
@@ -81,6 +86,7 @@ class SeriesAnalysis {
   void advance(std::uint32_t number);
   void take_in(Run& run, const lattice_impact::ParticleStates& states,
                const lattice_impact::ContactForces& forces);
+  void damage(Run& run, std::uint32_t number, const std::string& what) const;
   void report_gap(Run& run, std::uint32_t number, std::uint32_t found) const;
   void close(std::uint32_t number);
   void publish_strain(Run& run, lattice_impact::Strain strain) const;

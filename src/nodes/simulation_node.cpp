@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lattice/input_error.hpp"
+#include "nodes/checksum.hpp"
 #include "nodes/conversions.hpp"
 #include "nodes/program.hpp"
 #include "run/forecast.hpp"
@@ -184,6 +185,7 @@ Restitution SimulationNode::publish_run(Run& run) {
 }
 
 void SimulationNode::start(const Scene& scene, const Run& run) {
+  checksum_ = 0;
   status_.sequence = 0;
   status_.states = 0;
   status_.scene = to_yaml(scene);
@@ -200,6 +202,7 @@ void SimulationNode::send_lattice(Body body, const Lattice& lattice, const Run& 
   message.run = status_.run;
   message.name = body == Body::kDisk ? "disk" : "wall";
   message.point_mass = run.motion().field().point_mass;
+  if (body == Body::kDisk) checksum_ += checksum_of(message);
   streams_.send(body, message);
 }
 
@@ -233,6 +236,7 @@ void SimulationNode::send(Body body, const State& state, const ContactReport& re
   states.header.stamp = forces.header.stamp = stamp;
   states.run = forces.run = status_.run;
   states.sequence = forces.sequence = status_.states;
+  if (body == Body::kDisk) checksum_ += checksum_of(states) + checksum_of(forces);
   streams_.send(body, states);
   streams_.send(body, forces);
 }
@@ -246,6 +250,7 @@ void SimulationNode::publish_status(const Run& run, std::uint8_t phase, const st
   status_.flags = run.flags();
   status_.error = error;
   status_.energy = to_message(run.motion().ledger(), run.energy_error());
+  status_.checksum = checksum_with(checksum_, status_);
   streams_.send(status_);
   ++status_.sequence;
 }

@@ -72,6 +72,7 @@ class SimulationNode {
 
   ros::Time run_start_{1.0};          ///< simulated; a bag refuses the stamp 0
   lattice_impact::RunStatus status_;  ///< of the present run, as last published
+  std::uint64_t checksum_ = 0;        ///< of the disk's messages of the present run
 };
 
 }  // namespace impact

@@ -3,8 +3,13 @@
 
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <functional>
 #include <limits>
 #include <map>
 #include <set>
@@ -211,7 +216,8 @@ std::string pipeline_of(const std::string& topic, const std::set<std::string>& s
   return simulations.count(name_space) == 0 && simulations.count(above) > 0 ? above : name_space;
 }
 
-void analyse(const std::string& file, const ElasticParameters& elastic) {
+/// All its messages, by namespace.
+std::map<std::string, Pipeline> read(const std::string& file, const ElasticParameters& elastic) {
   rosbag::Bag bag;
   try {
     bag.open(file, rosbag::bagmode::Read);
@@ -228,7 +234,23 @@ void analyse(const std::string& file, const ElasticParameters& elastic) {
     const std::string name_space = pipeline_of(message.getTopic(), name_spaces);
     pipelines.try_emplace(name_space, name_space, elastic).first->second.add(message);
   }
+  return pipelines;
+}
 
+/// rosbag reads what the bytes say, and throws as many things as can be wrong with them.
+std::map<std::string, Pipeline> read_undamaged(const std::string& file,
+                                               const ElasticParameters& elastic) {
+  try {
+    return read(file, elastic);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw std::runtime_error(fmt::format("{} is damaged: {}", file, error.what()));
+  }
+}
+
+void analyse(const std::string& file, const ElasticParameters& elastic) {
+  std::map<std::string, Pipeline> pipelines = read_undamaged(file, elastic);
   bool complete = true;
   YAML::Node document;
   for (auto& pipeline : pipelines) {
@@ -248,6 +270,24 @@ void analyse(const std::string& file, const ElasticParameters& elastic) {
   if (!complete) throw std::runtime_error(fmt::format("{} is not complete", file));
 }
 
+/// The exit code of `body`, run in a process of its own with a bound on its memory: a damaged size
+/// in a bag may make rosbag ask for more than there is, or read where nothing is.
+int guarded(const std::function<int()>& body) {
+  constexpr rlim_t kMostMemory = rlim_t{8} << 30U;  // bytes
+  const pid_t child = fork();
+  if (child == 0) {
+    const rlimit bound{kMostMemory, kMostMemory};
+    setrlimit(RLIMIT_AS, &bound);
+    std::exit(body());
+  }
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) != child) return 1;
+  if (!WIFSIGNALED(status)) return WEXITSTATUS(status);
+  fmt::print(stderr, "analyse_bag: the bag is damaged: it cannot be read (signal {})\n",
+             WTERMSIG(status));
+  return 1;
+}
+
 }  // namespace
 }  // namespace impact
 
@@ -263,5 +303,6 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(std::numeric_limits<double>::min(), kHighestModulus));
   app.add_option("--poisson-ratio", elastic.poisson_ratio, "of the disk")
       ->check(CLI::Range(-kHighestRatio, kHighestRatio));
-  return impact::run_tool(app, argc, argv, [&] { impact::analyse(file, elastic); });
+  return impact::guarded(
+      [&] { return impact::run_tool(app, argc, argv, [&] { impact::analyse(file, elastic); }); });
 }

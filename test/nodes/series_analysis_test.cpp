@@ -4,9 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
+#include "nodes/checksum.hpp"
 #include "run/run.hpp"
 #include "scene/scene_parameters.hpp"
 
@@ -34,7 +40,7 @@ lattice_impact::RunStatus status_of(const Scene& scene, std::uint32_t run, std::
                                     std::uint8_t phase) {
   lattice_impact::RunStatus status;
   status.run = run;
-  status.runs = 2;
+  status.runs = std::max(2U, run + 1);
   status.states = states;
   status.phase = phase;
   status.scene = to_yaml(scene);
@@ -48,7 +54,13 @@ std::vector<Message> messages_of(const Scene& scene, std::uint32_t number) {
   lattice_impact::Lattice lattice = to_message(run.lattice());
   lattice.run = number;
   messages.emplace_back(lattice);
-  messages.emplace_back(status_of(scene, number, 0, lattice_impact::RunStatus::RUNNING));
+  const auto status = [&](std::uint32_t states, std::uint8_t phase) {
+    lattice_impact::RunStatus message = status_of(scene, number, states, phase);
+    message.integrator = name_of(run.integrator());
+    message.step_size = run.motion().step_size();
+    return message;
+  };
+  messages.emplace_back(status(0, lattice_impact::RunStatus::RUNNING));
   std::uint32_t sequence = 0;
   ImpactAnalysis analysis;
   const auto send = [&] {
@@ -67,8 +79,7 @@ std::vector<Message> messages_of(const Scene& scene, std::uint32_t number) {
     run.advance();
     send();
   }
-  lattice_impact::RunStatus end =
-      status_of(scene, number, sequence, lattice_impact::RunStatus::FINISHED);
+  lattice_impact::RunStatus end = status(sequence, lattice_impact::RunStatus::FINISHED);
   end.answer = numbers_to_message(analysis.restitution(true));
   end.answer_error = numbers_to_message({});
   end.restitution_of_run_error = Restitution::kNaN;
@@ -265,6 +276,147 @@ TEST(SeriesAnalysis, WaitsForMissingMessages) {
   ASSERT_EQ(listener.results.size(), 2U);
   EXPECT_EQ(listener.results[1].complete, 0);
   EXPECT_EQ(listener.problems.size(), 1U);
+}
+
+using States = lattice_impact::ParticleStates;
+using Forces = lattice_impact::ContactForces;
+
+struct Damage {
+  const char* name;
+  std::function<void(std::vector<Message>&)> done_to;
+  const char* told;  ///< in the problem
+};
+
+template <class Type>
+Type& nth(std::vector<Message>& messages, int n) {
+  for (Message& message : messages) {
+    if (std::holds_alternative<Type>(message) && n-- == 0) return std::get<Type>(message);
+  }
+  throw std::out_of_range("no such message");
+}
+
+template <class Type>
+std::function<void(std::vector<Message>&)> to(int n, std::function<void(Type&)> change) {
+  return [=](std::vector<Message>& messages) { change(nth<Type>(messages, n)); };
+}
+
+void no_rebound(std::vector<Message>& messages) {
+  const auto came_off = [](const Message& message) {
+    const auto* states = std::get_if<States>(&message);
+    return states != nullptr && states->sequence > 3;
+  };
+  const auto end = std::get<lattice_impact::RunStatus>(messages.back());
+  messages.erase(std::find_if(messages.begin(), messages.end(), came_off), messages.end());
+  messages.emplace_back(end);
+  std::get<lattice_impact::RunStatus>(messages.back()).states = 4;
+}
+
+class Damaged : public testing::TestWithParam<Damage> {};
+
+/// One thing is wrong in the first of two runs: that is told, the run has no number, and the other
+/// one keeps its own.
+TEST_P(Damaged, RunHasNoNumberAndTheOtherKeepsIts) {
+  const Scene scene = small_scene(SceneKind::kCollision);
+  std::vector<Message> messages = messages_of(scene, 0);
+  GetParam().done_to(messages);
+  Listener listener;
+  listener.hear(messages);
+  listener.hear(messages_of(scene, 1));
+  ASSERT_EQ(listener.problems.size(), 1U);
+  EXPECT_NE(listener.problems[0].find("run 0: damaged: "), std::string::npos);
+  EXPECT_NE(listener.problems[0].find(GetParam().told), std::string::npos) << listener.problems[0];
+  ASSERT_EQ(listener.closed.size(), 2U);
+  EXPECT_TRUE(std::isnan(listener.closed[0].answer));
+  EXPECT_EQ(listener.closed[1].answer, direct_restitution(scene));
+  for (const auto& result : listener.results) {
+    if (result.run != 0 || result.ended == 0) continue;
+    EXPECT_EQ(result.flags, std::vector<std::string>{"damaged"});
+    for (const auto& [name, number] : impact_numbers<lattice_impact::Restitution>()) {
+      EXPECT_TRUE(std::isnan(result.*number)) << name;
+    }
+    EXPECT_TRUE(std::isnan(result.velocity_before));
+  }
+}
+
+constexpr double kOdd = std::numeric_limits<double>::quiet_NaN();
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, Damaged,
+    testing::Values(
+        Damage{"AnEmptyLattice", to<lattice_impact::Lattice>(0, [](auto& m) { m = {}; }),
+               "0 points"},
+        Damage{"ABondOfAPointThatIsNotThere",
+               to<lattice_impact::Lattice>(0, [](auto& m) { m.bond_second[3] = 4000000000U; }),
+               "bond 3 joins"},
+        Damage{"AnEmptyState", to<States>(5, [](auto& m) { m.x = m.y = m.vx = m.vy = {}; }),
+               "contact_forces 5: x has 0 values for 40"},
+        Damage{"AStateOfOnePointLess", to<States>(5, [](auto& m) { m.vy.pop_back(); }),
+               "vy has 39 values"},
+        Damage{"AStateOfOnePointMore", to<States>(5, [](auto& m) { m.x.push_back(0.0); }),
+               "x has 41 values"},
+        Damage{"ANumberThatIsNone", to<States>(9, [](auto& m) { m.vy[7] = kOdd; }), "vy[7] = nan"},
+        Damage{"AVelocityOfAnotherRun", to<States>(9, [](auto& m) { m.vy[7] += 0.1; }),
+               "the momentum changes by"},
+        Damage{"AnotherSpeedAtTheStart",
+               to<States>(0,
+                          [](auto& m) {
+                            for (double& v : m.vy) v *= 1.01;
+                          }),
+               "of the scene"},
+        Damage{"HalfOfTheSamples",
+               to<Forces>(9,
+                          [](auto& m) {
+                            m.sample_time.resize(m.sample_time.size() / 2);
+                            m.sample_force.resize(m.sample_time.size());
+                          }),
+               "samples of"},
+        Damage{"AnotherForce", to<Forces>(9, [](auto& m) { m.sample_force[1] += 0.01; }),
+               "of the samples"},
+        Damage{"ASampleThatGoesBack",
+               to<Forces>(9, [](auto& m) { std::swap(m.sample_time[0], m.sample_time[1]); }),
+               "a sample of"},
+        Damage{"AnotherTime", to<Forces>(9, [](auto& m) { m.time += 1e-9; }), "of the forces"},
+        Damage{"AnotherStep", to<States>(9, [](auto& m) { ++m.step; }), "of the forces"},
+        Damage{"AForceOnAPointThatIsNotThere",
+               to<Forces>(9,
+                          [](auto& m) {
+                            m.point.push_back(40);
+                            m.fx.push_back(0.0);
+                            m.fy.push_back(0.0);
+                          }),
+               "a point that is not there"},
+        Damage{"APhaseThatIsNone", to<lattice_impact::RunStatus>(1, [](auto& m) { m.phase = 9; }),
+               "phase 9"},
+        Damage{"ASceneThatIsNone",
+               to<lattice_impact::RunStatus>(0, [](auto& m) { m.scene = "{scene: [}"; }),
+               "scene: "},
+        Damage{"FewerStatesAnnounced",
+               to<lattice_impact::RunStatus>(1, [](auto& m) { m.states -= 1; }), "announced"},
+        Damage{"NoRebound", no_rebound, "the disk has not come off"},
+        Damage{"NoAnswer",
+               to<lattice_impact::RunStatus>(1, [](auto& m) { m.answer.restitution = kOdd; }),
+               "finished, with the restitution nan"}),
+    [](const auto& info) { return info.param.name; });
+
+/// The last bit of a number, in which nothing else could see a fault.
+TEST(SeriesAnalysis, SeesByTheChecksumWhatIsNotAsItWasPublished) {
+  const std::vector<Message> messages = messages_of(small_scene(SceneKind::kCollision), 0);
+  std::uint64_t sum = checksum_of(std::get<lattice_impact::Lattice>(messages.front()));
+  for (const Message& message : messages) {
+    if (const auto* states = std::get_if<States>(&message)) sum += checksum_of(*states);
+    if (const auto* forces = std::get_if<Forces>(&message)) sum += checksum_of(*forces);
+  }
+  for (const int damage : {0, 1, 2}) {
+    std::vector<Message> changed = messages;
+    auto& end = std::get<lattice_impact::RunStatus>(changed.back());
+    end.checksum = checksum_with(sum, end);
+    double& number = damage == 2 ? end.answer.restitution : nth<States>(changed, 9).x[3];
+    if (damage != 0) number = std::nextafter(number, 2.0);
+    Listener listener;
+    listener.hear(changed);
+    EXPECT_EQ(listener.results.back().complete, damage == 0 ? 1 : 0);
+    EXPECT_EQ(listener.problems.size(), damage == 0 ? 0U : 1U);
+  }
 }
 
 TEST(SeriesAnalysis, GivesNoNumberForAnInterruptedRun) {

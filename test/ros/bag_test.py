@@ -2,6 +2,7 @@
 """Bags that the simulation node writes itself, and bags of runs that were interrupted."""
 
 import os
+import random
 import signal
 import tempfile
 import unittest
@@ -12,7 +13,8 @@ from lattice_impact.msg import ParticleStates, RunStatus
 
 from programs import (ENDLESS_COLLISION, IMPACT_RESULTS, PACKAGE, SMALL_ABSORBING_WALL,
                       SMALL_COLLISION, SMALL_CONTACT, BagAnalysis, Inbox, bag_messages, impact,
-                      launch, limited_to, random_namespace, recorder, simulation)
+                      launch, limited_to, random_namespace, recorder, run_tool,
+                      simulation)
 
 
 class BagTest(unittest.TestCase):
@@ -124,6 +126,33 @@ class BagTest(unittest.TestCase):
             run.send(signal.SIGINT)
             run.wait()
         self.assert_closed_but_incomplete()
+
+    def test_damaged_bag_gives_no_other_number(self):
+        """Bytes changed, taken away or cut: it is told, in words, or it did no harm."""
+        self.simulate('collision', {'disk.points': 30, 'impact.velocity': 0.05, 'output.period': 0.5})
+        whole = run_tool('analyse_bag', self.bag).stdout
+        with open(self.bag, 'rb') as file:
+            content = file.read()
+        seed = random.randrange(2 ** 32)
+        draw = random.Random(seed)
+        for number in range(60):
+            damaged = bytearray(content)
+            place = draw.randrange(len(damaged))
+            if number % 3 == 0:
+                damaged[place] ^= 1 << draw.randrange(8)
+            elif number % 3 == 1:
+                del damaged[place:place + draw.randrange(1, 200)]
+            else:
+                del damaged[place:]
+            with open(self.bag, 'wb') as file:
+                file.write(damaged)
+            run = run_tool('analyse_bag', self.bag)
+            what = 'seed {}, number {}: {}'.format(seed, number, run.stderr)
+            self.assertIn(run.returncode, (0, 1, 2), what)
+            if run.returncode == 0:
+                self.assertEqual(run.stdout, whole, what)
+            else:
+                self.assertTrue(run.stderr.startswith('analyse_bag: '), what)
 
     def test_recording_ends_when_the_simulation_is_killed(self):
         with recorder(self.namespace, bag=self.bag, patience=0.5) as recording:
