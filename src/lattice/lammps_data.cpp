@@ -244,7 +244,7 @@ class DataFile {
   void guess_style() {
     const std::size_t columns = reader_.words().size();
     if (columns == 5 || columns == 8) reader_.fail("atom style atomic: it has no bonds");
-    style_ = columns == 7 || columns == 10 ? &kStyles[2] : &kStyles[0];
+    style_ = columns == 7 || columns == 10 ? &kStyles.back() : &kStyles.front();
   }
 
   void read_line() {

@@ -26,7 +26,7 @@ std::string stem_of(const std::string& name) {
 template <class NameOf>
 std::string make_new_file(const NameOf& name_of) {
   for (int number = 1;; ++number) {
-    const std::string name = name_of(number);
+    std::string name = name_of(number);
     const int file = open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
     if (file >= 0) {
       close(file);

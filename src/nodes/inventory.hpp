@@ -25,11 +25,11 @@ class Inventory {
   /// said at their ends, and of a run without an end no less than have come.
   std::uint64_t published(const std::string& topic) const;
 
-  /// States of the run of which everything has come: those 0 … n − 1.
-  std::uint32_t states(std::uint32_t run) const;
+  /// States of the run with this number of which everything has come: those 0 … n − 1.
+  std::uint32_t states(std::uint32_t number) const;
 
-  /// The end of the run was announced, and everything of it has come.
-  bool has_all_of(std::uint32_t run) const;
+  /// The end of the run with this number was announced, and everything of it has come.
+  bool has_all_of(std::uint32_t number) const;
 
   /// Number of the last run that will come: that of the series, or the first that has ended without
   /// being finished. Before anything is known of it, the largest number.

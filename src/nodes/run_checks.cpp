@@ -72,7 +72,7 @@ std::string RunChecks::fault_of(const lattice_impact::Lattice& lattice) {
 std::string RunChecks::fault_of(const lattice_impact::ParticleStates& states,
                                 const lattice_impact::ContactForces& forces, const Scene& scene,
                                 const RunStatus& status, bool follows) {
-  const std::string fault = first_of(
+  std::string fault = first_of(
       {fault_of_arrays(
            points_, {{"x", &states.x}, {"y", &states.y}, {"vx", &states.vx}, {"vy", &states.vy}}),
        fault_of_arrays(forces.point.size(), {{"fx", &forces.fx}, {"fy", &forces.fy}}),

@@ -59,8 +59,13 @@ ConvergedValue converged(const std::vector<Sample>& runs, std::optional<int> ord
   const ConvergedValue plain = compared({runs.end() - 3, runs.end()});
   const Sample* const finest = &runs.back();
   if (!shows_order(finest[-2], finest[-1], finest[0], *order)) return plain;
-  if (runs.size() > 3 && !shows_order(finest[-3], finest[-2], finest[-1], *order)) return plain;
-  const ConvergedValue limit = extrapolated(finest[-2], finest[-1], finest[0], *order);
+  ConvergedValue limit = extrapolated(finest[-2], finest[-1], finest[0], *order);
+  if (runs.size() > 3) {
+    if (!shows_order(finest[-3], finest[-2], finest[-1], *order)) return plain;
+    const ConvergedValue before = extrapolated(finest[-3], finest[-2], finest[-1], *order);
+    const double gain = std::pow(finest[-1].step / finest[0].step, *order) - 1.0;
+    limit.error = std::max(limit.error, std::abs(limit.value - before.value) / gain);
+  }
   return limit.error <= plain.error ? limit : plain;
 }
 

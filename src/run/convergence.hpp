@@ -38,8 +38,9 @@ ConvergedValue compared(const std::vector<Sample>& runs);
 /// compared(). With one: extrapolated(), by the finest three, if they show that order p or, where
 /// its error happens to vanish, the next one, by an observed order of p − 0.25 … p + 0.5 or
 /// p + 1.5 … p + 2.5, and so do the three before, where there are four runs: after runs that did
-/// not show an order one that does may be chance. Otherwise, or if that is the smaller error, the
-/// finest three compared().
+/// not show an order one that does may be chance. Then the
+/// error is no less than that of limits which themselves converge with order p. Otherwise, or if
+/// that is the smaller error, the finest three compared().
 ConvergedValue converged(const std::vector<Sample>& runs, std::optional<int> order);
 
 }  // namespace impact

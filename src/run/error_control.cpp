@@ -27,6 +27,8 @@ constexpr double kStagnation = 0.7;
 constexpr std::size_t kRunsToCompare = 3;
 constexpr std::size_t kErraticRunsToCompare = 5;
 constexpr std::size_t kRunsThatShowAnOrder = 4;
+/// The part of numerics.error that an estimate may be which a fourth run has not confirmed.
+constexpr double kUnconfirmed = 0.1;
 constexpr int kMostFailures = 4;
 
 /// What vanishes with the error of a run.
@@ -149,7 +151,7 @@ bool ErrorControl::accepts(const FinishedImpact& run) {
     return false;
   }
   conclude(run.tail_error + run.error_by_hops * std::min(1.0, way_in(run.step)) + rounding(run));
-  accepted_ = estimated_error_ <= scene_.numerics.error;
+  accepted_ = estimated_error_ <= scene_.numerics.error * (is_confirmed() ? 1.0 : kUnconfirmed);
   if (!accepted_) refine_by_estimate();
   return accepted_;
 }
@@ -222,6 +224,15 @@ void ErrorControl::conclude(double noise) {
   estimated_error_ = answer_.error.restitution / std::abs(e);
 }
 
+bool ErrorControl::is_extrapolated() const {
+  return answer_.value.restitution != runs_.back().measured.restitution;
+}
+
+/// A limit of three runs alone may be off by several times its estimate, one in a hundred is.
+bool ErrorControl::is_confirmed() const {
+  return !is_extrapolated() || runs_.size() >= kRunsThatShowAnOrder;
+}
+
 void ErrorControl::refine_by_estimate() {
   stagnations_ = estimated_error_ > kStagnation * last_estimate_ ? stagnations_ + 1 : 0;
   last_estimate_ = estimated_error_;
@@ -231,13 +242,12 @@ void ErrorControl::refine_by_estimate() {
                         adaptive ? "tolerances" : "steps", estimated_error_, likely_cause_));
   }
   const double excess = 2.0 * estimated_error_ / scene_.numerics.error;
-  const bool is_extrapolated = answer_.value.restitution != runs_.back().measured.restitution;
-  const double power = adaptive          ? kToleranceOrder
-                       : is_extrapolated ? order_of(resolution_.integrator) + 2
-                                         : order_of(resolution_.integrator);
+  const double power = adaptive            ? kToleranceOrder
+                       : is_extrapolated() ? order_of(resolution_.integrator) + 2
+                                           : order_of(resolution_.integrator);
   const double factor = std::max(kRefinement, std::pow(excess, 1.0 / power));
   if (go_over(resolution_.step / factor)) return;
-  shorten(std::min(factor, is_extrapolated ? kMostRefinement : kMostBlindRefinement));
+  shorten(std::min(factor, is_extrapolated() ? kMostRefinement : kMostBlindRefinement));
 }
 
 bool ErrorControl::accepts_contact(const Run& run) {

@@ -36,7 +36,8 @@ struct FinishedImpact {
 /// Collision: at least three runs, each with steps 1.2 times shorter than the one before. The
 /// answer, e and all other numbers of the impact, is what converged() says of the last three:
 /// extrapolated to steps of no length where the three show the order of the method, else that of
-/// the finest run. An order is not looked for
+/// the finest run. A limit of three runs is believed to a tenth of numerics.error; above that a
+/// fourth has to confirm it. An order is not looked for
 /// - where a point of the disk comes further towards the wall than half its range 1/a in a step,
 /// - where contacts pass from bond to bond, and what that does to their energy and to the direction
 ///   of their force could change e by numerics.error,
@@ -116,6 +117,8 @@ class ErrorControl {
   double way_in(double step) const;
   std::optional<int> order() const;
   void conclude(double noise);
+  bool is_extrapolated() const;
+  bool is_confirmed() const;
   void refine_by_estimate();
   [[noreturn]] void give_up(const std::string& cause) const;
 

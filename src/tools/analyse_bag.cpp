@@ -1,6 +1,7 @@
 // The analysis node's numbers, straight from a bag, and whether the bag holds all that was
 // published.
 
+#include <console_bridge/console.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <sys/resource.h>
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <functional>
 #include <limits>
 #include <map>
 #include <set>
@@ -270,22 +270,26 @@ void analyse(const std::string& file, const ElasticParameters& elastic) {
   if (!complete) throw std::runtime_error(fmt::format("{} is not complete", file));
 }
 
-/// The exit code of `body`, run in a process of its own with a bound on its memory: a damaged size
-/// in a bag may make rosbag ask for more than there is, or read where nothing is.
-int guarded(const std::function<int()>& body) {
+/// Goes on in a process of its own with a bound on its memory, and ends this one as that ends: a
+/// damaged size in a bag may make rosbag ask for more than there is, or read where nothing is.
+/// @throw std::runtime_error when that process was killed.
+void go_on_in_a_child(const std::string& file) {
   constexpr rlim_t kMostMemory = rlim_t{8} << 30U;  // bytes
   const pid_t child = fork();
   if (child == 0) {
     const rlimit bound{kMostMemory, kMostMemory};
     setrlimit(RLIMIT_AS, &bound);
-    std::exit(body());
+    return;
   }
   int status = 0;
-  if (child < 0 || waitpid(child, &status, 0) != child) return 1;
-  if (!WIFSIGNALED(status)) return WEXITSTATUS(status);
-  fmt::print(stderr, "analyse_bag: the bag is damaged: it cannot be read (signal {})\n",
-             WTERMSIG(status));
-  return 1;
+  if (child < 0 || waitpid(child, &status, 0) != child) {
+    throw std::runtime_error(fmt::format("no process could be started to read {}", file));
+  }
+  if (WIFSIGNALED(status)) {
+    throw std::runtime_error(
+        fmt::format("{} is damaged: reading it ended with signal {}", file, WTERMSIG(status)));
+  }
+  std::exit(WEXITSTATUS(status));
 }
 
 }  // namespace
@@ -303,6 +307,9 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(std::numeric_limits<double>::min(), kHighestModulus));
   app.add_option("--poisson-ratio", elastic.poisson_ratio, "of the disk")
       ->check(CLI::Range(-kHighestRatio, kHighestRatio));
-  return impact::guarded(
-      [&] { return impact::run_tool(app, argc, argv, [&] { impact::analyse(file, elastic); }); });
+  console_bridge::noOutputHandler();  // what it would say is in the exception
+  return impact::run_tool(app, argc, argv, [&] {
+    impact::go_on_in_a_child(file);
+    impact::analyse(file, elastic);
+  });
 }
