@@ -88,7 +88,7 @@ void BagFile::discard() {
 std::string BagFile::finish(bool complete) {
   attempt([&] { bag_->close(); });
   bag_.reset();
-  const std::string name = complete ? name_ : make_new_file([&](int number) {
+  std::string name = complete ? name_ : make_new_file([&](int number) {
     return numbered(stem_of(name_) + ".incomplete", ".bag", number);
   });
   std::error_code error;
