@@ -21,13 +21,18 @@ constexpr std::uint32_t kStatusInterval = 100;     // states
 constexpr std::int64_t kWindow = 100;              // states ahead of the slowest reader
 constexpr Eigen::Index kMostPointsKept = 1000000;  // between the check and the runs
 
-/// Rough size of the messages of a run, in bytes.
+/// What the bag of a run may have at most, in bytes, as far as its time is known.
 double expected_size(const Scene& scene, const Composition& composition) {
+  const auto points = static_cast<double>(composition.initial.position.rows());
   const double states = composition.expected_time / scene.output.period + 2.0;
-  const double samples = scene.output.period / composition.resolution.step;
-  constexpr double kOverhead = 300.0;
-  return states * (4.0 * 8.0 * static_cast<double>(composition.initial.position.rows()) +
-                   2.0 * 8.0 * samples + kOverhead);
+  const double samples = scene.output.period / composition.resolution.step + 1.0;
+  // x, y, vx, vy, and a force on every fourth point; both messages' other fields, records and
+  // index.
+  const double state = 37.0 * points + 16.0 * samples + 500.0;
+  const double status = 3000.0;
+  const double lattice = 70.0 * points;     // three bonds a point
+  constexpr double kDefinitions = 60000.0;  // of the messages, with each connection
+  return states * (state + status / kStatusInterval) + 3.0 * status + lattice + kDefinitions;
 }
 
 Forecast forecast_of(const Scene& scene, const Composition& composition) {
@@ -88,7 +93,7 @@ Compositions check_series(const SimulationNodeParameters& parameters,
     points += composition->initial.position.rows();
     if (points <= kMostPointsKept || i == 0) compositions[i] = composition;
   }
-  ROS_INFO("%s", fmt::format("{} run(s), about {:.3g} MB of messages, {}", series.size(),
+  ROS_INFO("%s", fmt::format("{} run(s), at most about {:.3g} MB of messages, {}", series.size(),
                              size / 1e6, text(work))
                      .c_str());
   if (!parameters.bag.empty() && size > free_space(parameters.bag)) {
