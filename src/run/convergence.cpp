@@ -47,16 +47,17 @@ ConvergedValue extrapolated(const Sample& coarse, const Sample& middle, const Sa
   return {second.limit + correction, kExtrapolationMargin * std::abs(correction)};
 }
 
-ConvergedValue compared(const std::vector<Sample>& runs) {
+ConvergedValue compared(const std::vector<Sample>& runs, bool scatter) {
   const auto [least, most] = std::minmax_element(
       runs.begin(), runs.end(), [](const Sample& a, const Sample& b) { return a.value < b.value; });
-  const double coarseness = std::min(1.0, runs.front().step / runs.back().step - 1.0);
+  double coarseness = runs.front().step / runs.back().step - 1.0;
+  if (scatter) coarseness = std::min(1.0, coarseness);
   return {runs.back().value, kPlainMargin * (most->value - least->value) / coarseness};
 }
 
 ConvergedValue converged(const std::vector<Sample>& runs, std::optional<int> order) {
-  if (!order) return compared(runs);
-  const ConvergedValue plain = compared({runs.end() - 3, runs.end()});
+  if (!order) return compared(runs, true);
+  const ConvergedValue plain = compared({runs.end() - 3, runs.end()}, false);
   const Sample* const finest = &runs.back();
   if (!shows_order(finest[-2], finest[-1], finest[0], *order)) return plain;
   ConvergedValue limit = extrapolated(finest[-2], finest[-1], finest[0], *order);

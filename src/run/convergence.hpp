@@ -30,9 +30,9 @@ ConvergedValue extrapolated(const Sample& coarse, const Sample& middle, const Sa
                             int order);
 
 /// The value of the finest run with an error that holds for order 1 and more:
-///   3 max |vᵢ − vⱼ|/min(1, h_coarsest/h_finest − 1).
-/// For values that scatter it is their range times at least 3.
-ConvergedValue compared(const std::vector<Sample>& runs);
+///   3 max |vᵢ − vⱼ|/(h_coarsest/h_finest − 1).
+/// Where values may `scatter` whatever the step, it is no less than three times their range.
+ConvergedValue compared(const std::vector<Sample>& runs, bool scatter);
 
 /// What at least three runs, from coarse to fine, say of a number. Without an order all of them are
 /// compared(). With one: extrapolated(), by the finest three, if they show that order p or, where

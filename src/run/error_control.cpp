@@ -237,7 +237,7 @@ void ErrorControl::refine_by_estimate() {
   stagnations_ = estimated_error_ > kStagnation * last_estimate_ ? stagnations_ + 1 : 0;
   last_estimate_ = estimated_error_;
   const bool adaptive = is_adaptive(resolution_.integrator);
-  if (stagnations_ + 1 >= static_cast<int>(runs_needed())) {
+  if (stagnations_ + 1 >= static_cast<int>(std::max(runs_needed(), kRunsThatShowAnOrder))) {
     give_up(fmt::format("finer {} do not bring the error of the restitution below {:.1e}{}",
                         adaptive ? "tolerances" : "steps", estimated_error_, likely_cause_));
   }

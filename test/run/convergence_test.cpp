@@ -130,7 +130,7 @@ TEST(Converged, BelievesAnOrderThatWasNotSeenBeforeOnlyTwice) {
   runs[0].value += 1.0;
   const std::vector<Sample> four(runs.begin(), runs.end() - 1);
   EXPECT_EQ(converged(four, 2).value, four.back().value);
-  EXPECT_EQ(converged(four, 2).error, compared({four.begin() + 1, four.end()}).error);
+  EXPECT_EQ(converged(four, 2).error, compared({four.begin() + 1, four.end()}, false).error);
   const std::vector<Sample> next(runs.begin() + 1, runs.end());
   EXPECT_NEAR(converged(next, 2).value, 1.0, 1e-14);
 }

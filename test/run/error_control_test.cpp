@@ -113,6 +113,18 @@ TEST(ErrorControl, SeesNoOrderInStepsTooLongForTheWall) {
   }
 }
 
+/// Runs that are too coarse to show the order, and those a little finer that do: it does not give
+/// up while the coarse ones are still compared with.
+TEST(ErrorControl, GoesOnWhereTheOrderIsSeenLate) {
+  const auto error = [](double h) {
+    return h > 0.021 ? 1e-4 * std::sin(1e3 * h) : 2.7e-5 * (h / 0.02) * (h / 0.02);
+  };
+  for (const double wanted : {1e-5, 1e-6, 1e-8}) {
+    const Play play(scene_with(wanted), {error});
+    EXPECT_LE(play.true_error(), wanted);
+  }
+}
+
 /// Scatter above the wanted error ends with its cause, hardly ever with an answer.
 TEST(ErrorControl, DoesNotTakeScatterForAnAnswer) {
   std::mt19937_64 random(7);
