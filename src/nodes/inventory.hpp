@@ -18,9 +18,6 @@ class Inventory {
   void add(const std::string& topic, std::uint32_t run);
   void add(const lattice_impact::RunStatus& status);
 
-  /// The topics of the simulation, in a series whose runs have these terms of the force.
-  static std::vector<std::string> topics(const std::vector<std::string>& terms);
-
   /// Messages of a topic of the simulation that it published in all runs that are there: what it
   /// said at their ends, and of a run without an end no less than have come.
   std::uint64_t published(const std::string& topic) const;
@@ -44,6 +41,8 @@ class Inventory {
     std::optional<lattice_impact::RunStatus> status;  ///< the latest
   };
 
+  /// Those of the simulation in a run with these terms of the force.
+  static std::vector<std::string> topics(const std::vector<std::string>& terms);
   static std::uint32_t promised(const lattice_impact::RunStatus& status, const std::string& topic);
   static std::uint32_t count(const Run& run, const std::string& topic);
   static bool has_all(const Run& run);

@@ -94,9 +94,10 @@ std::string RunChecks::fault_of(const lattice_impact::ParticleStates& states,
   }
   if (!follows) return {};
   const double velocity = mean(states.vy);
-  std::string wrong = fault_of_samples(forces, status.integrator != "newton");
+  const Trapezoid sum = trapezoid(forces);
+  std::string wrong = fault_of_samples(forces, sum, status.integrator != "newton");
   if (wrong.empty() && scene.kind == SceneKind::kCollision) {
-    wrong = fault_of_momentum(velocity, trapezoid(forces), scene, status.step_size);
+    wrong = fault_of_momentum(velocity, sum, scene, status.step_size);
   }
   ++states_;
   last_step_ = states.step;
@@ -123,7 +124,7 @@ RunChecks::Trapezoid RunChecks::trapezoid(const lattice_impact::ContactForces& f
 }
 
 std::string RunChecks::fault_of_samples(const lattice_impact::ContactForces& forces,
-                                        bool every_step) const {
+                                        const Trapezoid& sum, bool every_step) const {
   const std::size_t samples = forces.sample_time.size();
   if (forces.step < last_step_) {
     return fmt::format("step {} after {}", forces.step, last_step_);
@@ -139,7 +140,6 @@ std::string RunChecks::fault_of_samples(const lattice_impact::ContactForces& for
     if (time <= last) return fmt::format("a sample of {} R/c after one of {}", time, last);
     last = time;
   }
-  const Trapezoid sum = trapezoid(forces);
   constexpr double kRounding = 1e-12;
   if (differ(sum.impulse, forces.impulse, kRounding * sum.size)) {
     return fmt::format("impulse {}, of the samples {}", forces.impulse, sum.impulse);

@@ -43,7 +43,8 @@ class RunChecks {
     double size = 0.0;     ///< the same with each part by its size
   };
   Trapezoid trapezoid(const lattice_impact::ContactForces& forces) const;
-  std::string fault_of_samples(const lattice_impact::ContactForces& forces, bool every_step) const;
+  std::string fault_of_samples(const lattice_impact::ContactForces& forces, const Trapezoid& sum,
+                               bool every_step) const;
   std::string fault_of_momentum(double velocity, const Trapezoid& sum, const Scene& scene,
                                 double step_size) const;
 

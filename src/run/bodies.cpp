@@ -108,9 +108,9 @@ std::shared_ptr<const Bodies> make_bodies(const Scene& scene) {
 
 std::string key_of_bodies(const Scene& scene) {
   const PlacementRecipe& recipe = scene.disk.recipe;
-  std::string key = fmt::format("{} {} {} {} {}", scene.seed, recipe.points,
-                                static_cast<int>(recipe.placement), recipe.rim, scene.disk.file);
-  key += fmt::format(" {}", static_cast<int>(scene.disk.scale));
+  std::string key = fmt::format("{} {} {} {} {} {}", scene.seed, recipe.points,
+                                static_cast<int>(recipe.placement), recipe.rim, scene.disk.file,
+                                static_cast<int>(scene.disk.scale));
   if (scene.kind == SceneKind::kStretch) {
     key += fmt::format("\nstretch {} {}", scene.stretch.width, scene.stretch.height);
   }

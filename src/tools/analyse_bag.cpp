@@ -91,7 +91,8 @@ class Pipeline {
 
   /// The topics of an elastic wall are counted only.
   bool is_of_wall(const std::string& topic) const {
-    return topic.compare(0, prefix().size() + 5, prefix() + "wall/") == 0;
+    const std::string of_wall = full_name("wall/");
+    return topic.compare(0, of_wall.size(), of_wall) == 0;
   }
   std::string prefix() const { return (name_space_ == "/" ? "" : name_space_) + "/"; }
   std::string full_name(const std::string& topic) const { return prefix() + topic; }
