@@ -59,6 +59,12 @@ const std::vector<Parameter<SimulationNodeParameters>>& simulation_node_paramete
   using P = SimulationNodeParameters;
   static const std::vector<Parameter<P>> table{
       text<P>(
+          "scene_yaml", "text of a scene file; keys that are parameters too replace its own",
+          [](auto& p) -> auto& { return p.scene_yaml; }),
+      texts<P>(
+          "assignments", "key=value …, each replaces that key, as with impact",
+          [](auto& p) -> auto& { return p.assignments; }),
+      text<P>(
           "bag", "file to write all messages to, from inside the node; empty: none",
           [](auto& p) -> auto& { return p.bag; }),
       wait_for<P>(),

@@ -10,6 +10,8 @@ namespace impact {
 
 /// What the simulation node has besides the keys of its scene.
 struct SimulationNodeParameters {
+  std::string scene_yaml;                    ///< empty: none
+  std::vector<std::string> assignments;      ///< key=value
   std::string bag;                           ///< empty: none
   std::vector<std::string> wait_for;         ///< names of nodes
   std::vector<std::string> wait_for_wall;    ///< names of nodes

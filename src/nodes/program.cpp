@@ -1,11 +1,16 @@
 #include "nodes/program.hpp"
 
 #include <fmt/format.h>
+#include <ros/network.h>
 #include <ros/ros.h>
+#include <xmlrpcpp/XmlRpcClient.h>
 
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
+#include <string>
 
 #include "lattice/input_error.hpp"
 
@@ -14,17 +19,38 @@ namespace {
 
 volatile std::sig_atomic_t signal_received = 0;
 
+/// Before ros::init(), which waits for a master without end where a parameter is among the
+/// arguments.
+void find_master(int argc, char** argv) {
+  const std::string key = "__master:=";
+  const char* const variable = std::getenv("ROS_MASTER_URI");
+  std::string uri = variable == nullptr ? "" : variable;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument.compare(0, key.size(), key) == 0) uri = argument.substr(key.size());
+  }
+  if (uri.empty()) throw InputError("ROS_MASTER_URI: got nothing, allowed: a ROS master's address");
+  std::string host;
+  std::uint32_t port = 0;
+  XmlRpc::XmlRpcValue request;
+  request[0] = argv[0];
+  XmlRpc::XmlRpcValue answer;
+  const bool is_there =
+      ros::network::splitURI(uri, host, port) &&
+      XmlRpc::XmlRpcClient(host.c_str(), static_cast<int>(port)).execute("getPid", request, answer);
+  if (!is_there) throw std::runtime_error("no ROS master at " + uri);
+}
+
 }  // namespace
 
 bool interrupted() { return signal_received != 0 || !ros::ok(); }
 
 int run_node(int argc, char** argv, const char* name, const std::function<int()>& body) {
-  ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
-  std::signal(SIGINT, [](int) { signal_received = 1; });
-  std::signal(SIGTERM, [](int) { signal_received = 1; });
   try {
-    if (!ros::master::check())
-      throw std::runtime_error("no ROS master at " + ros::master::getURI());
+    find_master(argc, argv);
+    ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+    std::signal(SIGINT, [](int) { signal_received = 1; });
+    std::signal(SIGTERM, [](int) { signal_received = 1; });
     return body();
   } catch (const InputError& error) {
     fmt::print(stderr, "{}: {}\n", name, error.what());

@@ -77,9 +77,9 @@ void SeriesAnalysis::add(const lattice_impact::RunStatus& message) {
   std::string fault = RunChecks::fault_of(message);
   if (!run.scene) {
     try {
-      run.scene = parse_scene(flatten(YAML::Load(message.scene)));
+      run.scene = parse_scene(parse_keys(message.scene, "scene"));
     } catch (const std::exception& error) {
-      fault = fmt::format("scene: {}", error.what());
+      fault = error.what();
     }
   }
   if (!fault.empty()) {

@@ -11,6 +11,10 @@ int main(int argc, char** argv) {
     impact::read_parameters(impact::simulation_node_parameters(),
                             impact::take_keys(keys, impact::simulation_node_parameters()),
                             parameters);
+    keys.merge(impact::parse_keys(parameters.scene_yaml, "scene_yaml"));
+    for (const std::string& assignment : parameters.assignments) {
+      impact::override_key(keys, assignment);
+    }
     std::vector<impact::Scene> series = impact::parse_series(
         keys, impact::key_names(impact::simulation_node_parameters(), parameters));
     impact::Compositions compositions = impact::check_series(parameters, series);

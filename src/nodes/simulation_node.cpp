@@ -103,6 +103,17 @@ Compositions check_series(const SimulationNodeParameters& parameters,
   return compositions;
 }
 
+namespace {
+
+bool is_published(const std::string& topic) {
+  ros::master::V_TopicInfo topics;
+  ros::master::getTopics(topics);
+  return std::any_of(topics.begin(), topics.end(),
+                     [&](const auto& info) { return info.name == topic; });
+}
+
+}  // namespace
+
 SimulationNode::SimulationNode(const SimulationNodeParameters& parameters,
                                std::vector<Scene> series, Compositions compositions)
     : parameters_(parameters),
@@ -123,6 +134,11 @@ SimulationNode::SimulationNode(const SimulationNodeParameters& parameters,
 }
 
 bool SimulationNode::run_series() {
+  if (!clock_ && ros::Time::isSimTime() && !is_published("/clock")) {
+    ROS_WARN(
+        "/use_sim_time is true and nobody publishes /clock: simulated time will stand still; see "
+        "publish_clock");
+  }
   readers_.wait(parameters_.timeout);
   if (wall_readers_) wall_readers_->wait(parameters_.timeout);
   pacing_.wait_for_links(parameters_.timeout);

@@ -53,8 +53,13 @@ struct Parameter {
   std::function<YAML::Node(const T&)> write{};
 };
 
-/// The shortest decimal number that gives the same bits again.
-inline YAML::Node exact(double value) { return YAML::Node(fmt::format("{}", value)); }
+/// The shortest decimal number that gives the same bits again, in a form that is a number for
+/// readers of YAML 1.1 and of YAML 1.2: `1.0e-05`, `.nan`, `-.inf`.
+YAML::Node exact(double value);
+
+/// The node as a cell of a table: its text, where exact() has written it a number as in C (`1e-05`,
+/// `nan`).
+std::string cell_text(const YAML::Node& node);
 
 template <class V>
 std::optional<V> scalar(const YAML::Node& node) {
@@ -66,11 +71,12 @@ std::optional<V> scalar(const YAML::Node& node) {
 /// True for a text in quotes, which is no number and no truth value.
 inline bool is_quoted(const YAML::Node& node) { return node.Tag() == "!"; }
 
+/// A decimal number. One with a leading zero is none: 010 is eight to YAML 1.1, ten to YAML 1.2.
+std::optional<double> real_number(const YAML::Node& node);
+
 inline std::optional<double> number_in(const YAML::Node& node, const Interval& interval) {
-  const std::optional<double> value = scalar<double>(node);
-  return value && !is_quoted(node) && std::isfinite(*value) && interval.contains(*value)
-             ? value
-             : std::nullopt;
+  const std::optional<double> value = real_number(node);
+  return value && std::isfinite(*value) && interval.contains(*value) ? value : std::nullopt;
 }
 
 /// A real number. `member` returns a reference to it, given a `T&`.
@@ -108,7 +114,7 @@ Parameter<T> real_or_auto(std::string key, std::string unit, Interval interval, 
   return parameter;
 }
 
-/// A decimal whole number.
+/// A decimal whole number, without a leading zero.
 std::optional<std::int64_t> whole_number(const YAML::Node& node);
 
 template <class T, class Member>
@@ -198,10 +204,10 @@ Parameter<T> texts(std::string key, std::string meaning, Member member) {
 /// The error for a key that cannot take what it was given.
 inline InputError bad_value(const std::string& key, const std::string& got,
                             const std::string& allowed) {
-  return InputError(fmt::format("{}: got {}, allowed: {}", key, got, allowed));
+  return InputError(fmt::format("{}: got {}, allowed: {}", shown(key), shown(got), allowed));
 }
 
-/// The value as one line, for an error; lists and maps within it are not shown.
+/// The value as one line, for an error or a table; lists and maps within it are not shown.
 std::string one_line(const YAML::Node& node);
 
 /// The keys that apply to `target`, separated by commas.
@@ -235,8 +241,9 @@ void read_parameters(const std::vector<Parameter<T>>& table, const FlatTree& val
       return parameter.key == value.first && parameter.applies(target);
     });
     if (known) continue;
-    throw InputError(fmt::format("{}: unknown key, allowed: {}{}{}", value.first, other_names,
-                                 other_names.empty() ? "" : ", ", key_names(table, target)));
+    throw InputError(fmt::format("{}: unknown key, allowed: {}{}{}", shown(value.first),
+                                 other_names, other_names.empty() ? "" : ", ",
+                                 key_names(table, target)));
   }
 }
 

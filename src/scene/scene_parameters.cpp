@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
+#include <set>
 
 namespace impact {
 namespace {
@@ -263,6 +266,24 @@ void check_resolution(const Scene& scene) {
   }
 }
 
+/// @throw InputError when the text has more than one.
+YAML::Node only_document(const std::string& yaml, const std::string& name) {
+  const std::vector<YAML::Node> documents = YAML::LoadAll(yaml);
+  if (documents.size() > 1) {
+    throw InputError(
+        fmt::format("{}: got {} YAML documents, allowed: one", name, documents.size()));
+  }
+  return documents.empty() ? YAML::Node() : documents.front();
+}
+
+/// Equal for equal values, however they are written.
+std::string canonical(const YAML::Node& value) {
+  const auto whole = whole_number(value);
+  const auto real = real_number(value);
+  if (whole || !real) return one_line(value);
+  return fmt::format("{}", *real);
+}
+
 void check_combination(const Scene& scene) {
   check_integrator(scene);
   check_resolution(scene);
@@ -315,11 +336,26 @@ Scene parse_scene(const FlatTree& keys, const std::string& other_names) {
   return scene;
 }
 
+void refuse_repetitions(const std::string& key, const YAML::Node& list) {
+  std::set<std::string> values;
+  for (const YAML::Node& value : list) {
+    if (!values.insert(canonical(value)).second) {
+      throw bad_value(key, one_line(list), "no value twice");
+    }
+  }
+}
+
+InputError too_many_scenes(const std::string& key) {
+  return InputError(fmt::format("{}: more than {} combinations", shown(key), kMostScenes));
+}
+
 std::vector<Scene> parse_series(const FlatTree& keys, const std::string& other_names) {
   std::vector<FlatTree> runs{keys};
   for (const auto& entry : keys) {
     if (!entry.second.IsSequence()) continue;
     if (entry.second.size() == 0) throw bad_value(entry.first, "[]", "one value at least");
+    refuse_repetitions(entry.first, entry.second);
+    if (runs.size() * entry.second.size() > kMostScenes) throw too_many_scenes(entry.first);
     std::vector<FlatTree> longer;
     for (const FlatTree& run : runs) {
       for (const YAML::Node& value : entry.second) {
@@ -339,29 +375,32 @@ std::string to_yaml(const Scene& scene) {
   return YAML::Dump(write_parameters(scene_parameters(), scene)) + "\n";
 }
 
-FlatTree load_keys(const std::filesystem::path& path) {
-  if (!std::filesystem::is_regular_file(path)) {
-    throw InputError(fmt::format("{}: cannot be read", path.string()));
-  }
+FlatTree parse_keys(const std::string& yaml, const std::string& name) {
   try {
-    return flatten(YAML::LoadFile(path.string()));
-  } catch (const YAML::BadFile&) {
-    throw InputError(fmt::format("{}: cannot be read", path.string()));
+    return flatten(only_document(yaml, name));
   } catch (const YAML::Exception& error) {
-    throw InputError(fmt::format("{}:{}: {}", path.string(), error.mark.line + 1, error.msg));
+    throw InputError(fmt::format("{}:{}: {}", name, error.mark.line + 1, error.msg));
   }
+}
+
+FlatTree load_keys(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!std::filesystem::is_regular_file(path) || !file) {
+    throw InputError(fmt::format("{}: cannot be read", path.string()));
+  }
+  return parse_keys({std::istreambuf_iterator<char>(file), {}}, path.string());
 }
 
 void override_key(FlatTree& keys, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == 0 || equals == std::string::npos) {
-    throw InputError(fmt::format("{}: allowed: key=value", assignment));
+    throw InputError(fmt::format("{}: allowed: key=value", shown(assignment)));
   }
   const std::string key = assignment.substr(0, equals);
   try {
-    keys[key].reset(YAML::Load(assignment.substr(equals + 1)));
+    keys[key].reset(only_document(assignment.substr(equals + 1), shown(key)));
   } catch (const YAML::Exception& error) {
-    throw InputError(fmt::format("{}: {}", key, error.msg));
+    throw InputError(fmt::format("{}: {}", shown(key), error.msg));
   }
 }
 

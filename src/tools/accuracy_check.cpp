@@ -7,7 +7,6 @@
 #include <boost/asio/thread_pool.hpp>
 #include <boost/asio/use_future.hpp>
 #include <cmath>
-#include <fstream>
 #include <future>
 #include <map>
 #include <optional>
@@ -16,10 +15,10 @@
 #include <utility>
 #include <vector>
 
-#include "lattice/input_error.hpp"
 #include "scene/scene_parameters.hpp"
 #include "tools/accuracy.hpp"
 #include "tools/interruption.hpp"
+#include "tools/output_lock.hpp"
 #include "tools/program.hpp"
 #include "tools/progress_bar.hpp"
 #include "tools/random_scene.hpp"
@@ -77,7 +76,7 @@ std::string value_of(const std::string& key, const Scene& scene) {
   const auto& table = scene_parameters();
   const auto parameter =
       std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.key == key; });
-  return parameter->applies(scene) ? one_line(parameter->write(scene)) : std::string();
+  return parameter->applies(scene) ? cell_text(parameter->write(scene)) : std::string();
 }
 
 Table table_of(const Checks& checks) {
@@ -173,9 +172,7 @@ void print_answers_in_doubt(const Checks& checks) {
 }
 
 void check_accuracy(std::uint64_t seed, int scenes, int jobs, const std::string& output) {
-  if (!std::ofstream(output, std::ios::app)) {
-    throw InputError(fmt::format("--output: {} cannot be written", output));
-  }
+  const OutputLock lock = OutputLock::of_file(output);
   take_interruptions();
   const Checks checks = check_all(seed, scenes, jobs);
   table_of(checks).write(output);

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "run/forecast.hpp"
 #include "scene/scene_parameters.hpp"
 #include "tools/experiment.hpp"
+#include "tools/output_folder.hpp"
 #include "tools/program.hpp"
 #include "tools/reference_integrator.hpp"
 
@@ -50,32 +52,47 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   if (!file.flush()) throw std::runtime_error(fmt::format("{} cannot be written", path.string()));
 }
 
-void perform(const std::string& scene_file, const std::vector<std::string>& assignments,
-             const std::string& folder) {
+void write_result(const Experiment& experiment, const std::string& result,
+                  const std::filesystem::path& folder) {
+  ResultFiles files(folder,
+                    {"result.yaml", "scene.yaml", "history.csv", "lattice.data", "wall.data"});
+  const double mass = experiment.run().motion().field().point_mass;
+  write_file(files.beside("result.yaml"), result);
+  write_file(files.beside("scene.yaml"), to_yaml(experiment.scene()));
+  write_file(files.beside("history.csv"), experiment.history());
+  write_lammps_data(experiment.run().lattice(), mass, files.beside("lattice.data"));
+  if (const Lattice* const wall = experiment.run().wall_lattice()) {
+    write_lammps_data(*wall, mass, files.beside("wall.data"));
+  }
+  files.take_their_places();
+}
+
+FlatTree keys_of(const std::string& scene_file, const std::vector<std::string>& assignments) {
   FlatTree keys = load_keys(scene_file);
   for (const std::string& assignment : assignments) override_key(keys, assignment);
+  return keys;
+}
+
+void check(const FlatTree& keys) {
+  for (const Scene& scene : parse_series(keys)) {
+    if (scene.has_recipes_only()) refuse_if_too_long(scene);
+  }
+}
+
+void perform(const FlatTree& keys, const std::string& folder) {
+  for (const auto& [key, value] : keys) {
+    if (value.IsSequence()) throw bad_value(key, one_line(value), "one value; sweep takes several");
+  }
   const Scene scene = parse_scene(keys);
   Experiment experiment(scene, !folder.empty());
-  if (!folder.empty()) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) throw InputError(fmt::format("--output: {}: {}", folder, error.message()));
-  }
+  std::optional<OutputFolder> output;
+  if (!folder.empty()) output.emplace(folder);
   tell_if_long(experiment);
   perform(experiment);
 
   const std::string result = YAML::Dump(experiment.result()) + "\n";
   fmt::print("{}", result);
-  if (folder.empty()) return;
-  const std::filesystem::path path(folder);
-  write_file(path / "result.yaml", result);
-  write_file(path / "scene.yaml", to_yaml(scene));
-  write_file(path / "history.csv", experiment.history());
-  write_lammps_data(experiment.run().lattice(), experiment.run().motion().field().point_mass,
-                    path / "lattice.data");
-  if (const Lattice* const wall = experiment.run().wall_lattice()) {
-    write_lammps_data(*wall, experiment.run().motion().field().point_mass, path / "wall.data");
-  }
+  if (output) write_result(experiment, result, output->path());
 }
 
 }  // namespace
@@ -87,10 +104,15 @@ int main(int argc, char** argv) {
   std::string scene_file;
   std::vector<std::string> assignments;
   std::string folder;
+  bool check_only = false;
   app.add_option("scene", scene_file, "scene file, like launch/scenes/collision.yaml")->required();
   app.add_option("assignments", assignments, "key=value, replaces that key of the scene");
+  app.add_flag("--check", check_only,
+               "only say whether the scene can be read; a list of values is a series");
   app.add_option("--output", folder,
                  "folder for result.yaml, scene.yaml, history.csv, lattice.data and wall.data");
-  return impact::run_tool(app, argc, argv,
-                          [&] { impact::perform(scene_file, assignments, folder); });
+  return impact::run_tool(app, argc, argv, [&] {
+    const impact::FlatTree keys = impact::keys_of(scene_file, assignments);
+    check_only ? impact::check(keys) : impact::perform(keys, folder);
+  });
 }

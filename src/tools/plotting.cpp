@@ -7,15 +7,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "lattice/input_error.hpp"
-
 namespace impact {
-
-void make_output_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw InputError(fmt::format("--output: {}: {}", folder.string(), error.message()));
-}
 
 void plot(const std::filesystem::path& folder, const std::string& figure) {
   const std::string program =

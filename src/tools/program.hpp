@@ -20,7 +20,7 @@ inline int run_tool(CLI::App& app, int argc, char** argv, const std::function<vo
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "{}: {} (--help tells more)\n", app.get_name(), error.what());
+    fmt::print(stderr, "{}: {} (--help tells more)\n", app.get_name(), shown(error.what()));
     return 2;
   }
   try {

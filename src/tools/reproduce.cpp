@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "tools/interruption.hpp"
+#include "tools/output_folder.hpp"
 #include "tools/plotting.hpp"
 #include "tools/program.hpp"
 #include "tools/reproduction.hpp"
@@ -14,7 +15,7 @@ namespace impact {
 namespace {
 
 void reproduce(const std::string& figure, const Reproduction& reproduction) {
-  make_output_folder(reproduction.folder);
+  const OutputFolder output(reproduction.folder);
   take_interruptions();
   const bool all = figure == "all";
   const Material material = measure_material(reproduction);

@@ -67,7 +67,6 @@ std::vector<std::string> result_keys(const std::vector<Scene>& scenes) {
 }
 
 std::string read_file(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path)) return {};
   std::ifstream file(path, std::ios::binary);
   if (!std::filesystem::is_regular_file(path) || !file) {
     throw InputError(fmt::format("{}: cannot be read", path.string()));
@@ -84,7 +83,7 @@ std::vector<std::string> scene_texts(const Scene& scene, const std::vector<std::
   std::vector<std::string> texts;
   for (const Parameter<Scene>& parameter : scene_parameters()) {
     if (std::find(keys.begin(), keys.end(), parameter.key) == keys.end()) continue;
-    texts.push_back(parameter.applies(scene) ? parameter.write(scene).Scalar() : "");
+    texts.push_back(parameter.applies(scene) ? cell_text(parameter.write(scene)) : "");
   }
   return texts;
 }
@@ -97,6 +96,7 @@ ResultTexts failure(const std::string& reason) { return {{"flags", kFailed + rea
 
 SeriesFile::SeriesFile(std::filesystem::path path, std::vector<Scene> scenes)
     : path_(std::move(path)),
+      lock_(OutputLock::of_file(path_)),
       scenes_(std::move(scenes)),
       scene_keys_(scene_keys(scenes_)),
       result_keys_(result_keys(scenes_)) {
@@ -173,9 +173,7 @@ void SeriesFile::add_row(const std::vector<std::string>& cells) {
 
 void SeriesFile::open() {
   std::error_code error;
-  if (std::filesystem::exists(path_, error)) {
-    std::filesystem::resize_file(path_, complete_bytes_, error);
-  }
+  std::filesystem::resize_file(path_, complete_bytes_, error);
   file_.open(path_, std::ios::binary | std::ios::app);
   if (error || !file_) throw InputError(fmt::format("{}: cannot be written", path_.string()));
   if (complete_bytes_ == 0) write(csv_line(columns()));

@@ -9,6 +9,7 @@
 
 #include "lattice/input_error.hpp"
 #include "scene/scene.hpp"
+#include "tools/output_lock.hpp"
 
 namespace impact {
 
@@ -35,14 +36,15 @@ ResultTexts failure(const std::string& reason);
 class SeriesFile {
  public:
   /// Takes in the rows that the file already has; a half-written last line does not count. The file
-  /// stays as it is.
-  /// @throw InputError when the file cannot be read or does not begin as this series does.
+  /// stays as it is; nobody else writes to it meanwhile.
+  /// @throw InputError as OutputLock::of_file(), and when the file does not begin as this series
+  /// does.
   SeriesFile(std::filesystem::path path, std::vector<Scene> scenes);
 
   const std::vector<Scene>& scenes() const { return scenes_; }
   const std::vector<Row>& rows() const { return rows_; }
 
-  /// Makes the file ready for the next row: creates it, or cuts off a half-written line.
+  /// Makes the file ready for the next row: cuts off a half-written line.
   /// @throw InputError when it cannot be written.
   void open();
 
@@ -61,6 +63,7 @@ class SeriesFile {
   void write(const std::string& line);
 
   std::filesystem::path path_;
+  OutputLock lock_;
   std::vector<Scene> scenes_;
   std::vector<std::string> scene_keys_;
   std::vector<std::string> result_keys_;

@@ -381,7 +381,7 @@ class SideBySide {
 };
 
 std::string text(const YAML::Node& value) {
-  if (value.IsScalar()) return value.Scalar();
+  if (value.IsScalar()) return cell_text(value);
   return fmt::format("{}", fmt::join(value.as<std::vector<std::string>>(), ";"));
 }
 

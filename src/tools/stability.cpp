@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tools/interruption.hpp"
+#include "tools/output_folder.hpp"
 #include "tools/program.hpp"
 #include "tools/progress_bar.hpp"
 #include "tools/series.hpp"
@@ -197,8 +198,7 @@ void print(const std::vector<Case>& cases, const std::vector<Row>& rows) {
 }
 
 void check_stability(const std::string& output, double largest, int jobs) {
-  const std::filesystem::path folder(output);
-  std::filesystem::create_directories(folder);
+  const OutputFolder folder(output);
   const std::vector<Case> cases = all_cases(largest);
   const std::vector<Scene> scenes = with_references(cases);
   take_interruptions();
@@ -206,10 +206,10 @@ void check_stability(const std::string& output, double largest, int jobs) {
   {
     ProgressBar bar(scenes.size());
     rows = run_series(
-        scenes, folder / "stability_runs.csv",
+        scenes, folder.path() / "stability_runs.csv",
         {jobs, [&bar](std::size_t /*rows*/, std::size_t runs) { bar.show(runs); }, interrupted});
   }
-  write_table(cases, rows, folder / "stability.csv");
+  write_table(cases, rows, folder.path() / "stability.csv");
   print(cases, rows);
   int wrong = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) {

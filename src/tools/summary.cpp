@@ -44,7 +44,7 @@ std::vector<std::string> main_results(const std::vector<Row>& rows) {
 }
 
 std::string text(const Parameter<Scene>& parameter, const Scene& scene) {
-  return parameter.applies(scene) ? parameter.write(scene).Scalar() : "-";
+  return parameter.applies(scene) ? cell_text(parameter.write(scene)) : "-";
 }
 
 /// Cuts a long decimal fraction to six digits.

@@ -15,7 +15,8 @@
 namespace impact {
 namespace {
 
-constexpr std::int64_t kMostScenes = 100'000;
+/// Whole numbers beyond this are not all doubles.
+constexpr double kLargestExact = 9007199254740992.0;  // 2⁵³
 
 std::vector<std::string> split(const std::string& text, const char* separator) {
   std::vector<std::string> parts;
@@ -23,10 +24,11 @@ std::vector<std::string> split(const std::string& text, const char* separator) {
   return parts;
 }
 
-bool takes_whole_numbers(const std::string& key) {
+/// Whether what the key allows begins with this word.
+bool allows(const std::string& key, const char* word) {
   const auto& table = scene_parameters();
   return std::any_of(table.begin(), table.end(), [&](const Parameter<Scene>& parameter) {
-    return parameter.key == key && parameter.allowed.rfind("whole number", 0) == 0;
+    return parameter.key == key && parameter.allowed.rfind(word, 0) == 0;
   });
 }
 
@@ -45,12 +47,12 @@ struct Range {
 /// Nothing when the parts do not make a range.
 std::optional<Range> parse_range(const std::vector<std::string>& parts) {
   if (parts.size() < 3 || parts.size() > 4) return std::nullopt;
-  const auto low = scalar<double>(YAML::Node(parts[0]));
-  const auto high = scalar<double>(YAML::Node(parts[1]));
+  const auto low = real_number(YAML::Node(parts[0]));
+  const auto high = real_number(YAML::Node(parts[1]));
   const auto count = whole_number(YAML::Node(parts[2]));
   const bool logarithmic = parts.size() == 4;
   if (!low || !high || !std::isfinite(*low) || !std::isfinite(*high)) return std::nullopt;
-  if (!count || *count < 1 || *count > kMostScenes) return std::nullopt;
+  if (!count || *count < 1 || *count > std::int64_t{kMostScenes}) return std::nullopt;
   if (logarithmic && (parts[3] != "log" || *low <= 0.0 || *high <= 0.0)) return std::nullopt;
   if ((*count == 1) != (*low == *high)) return std::nullopt;
   return Range{*low, *high, *count, logarithmic};
@@ -62,24 +64,22 @@ std::vector<std::string> range_values(const std::string& key, const std::string&
   if (!range) {
     throw bad_value(key, text, "lo:hi:n or lo:hi:n:log with n values, and above 0 with log");
   }
-  const bool whole = takes_whole_numbers(key);
+  const bool whole = allows(key, "whole number");
+  if (whole && std::max(std::abs(range->low), std::abs(range->high)) > kLargestExact) {
+    throw bad_value(key, text, "a range within ±2^53, or a list of values");
+  }
   std::vector<std::string> values{parts[0]};
   for (std::int64_t i = 1; i < range->count - 1; ++i) {
     values.push_back(whole ? fmt::format("{:.0f}", range->value(i))
                            : fmt::format("{:.12g}", range->value(i)));
   }
   if (range->count > 1) values.push_back(parts[1]);
-  if (std::set<std::string>(values.begin(), values.end()).size() < values.size()) {
-    throw bad_value(key, text, "no value twice");
-  }
   return values;
 }
 
 std::vector<FlatTree> combine(const std::vector<FlatTree>& trees, const std::string& key,
                               const std::vector<std::string>& values) {
-  if (trees.size() * values.size() > std::size_t{kMostScenes}) {
-    throw InputError(fmt::format("{}: more than {} combinations", key, kMostScenes));
-  }
+  if (trees.size() * values.size() > kMostScenes) throw too_many_scenes(key);
   std::vector<FlatTree> combinations;
   for (const FlatTree& tree : trees) {
     for (const std::string& value : values) {
@@ -93,8 +93,13 @@ std::vector<FlatTree> combine(const std::vector<FlatTree>& trees, const std::str
 }  // namespace
 
 std::vector<std::string> sweep_values(const std::string& key, const std::string& text) {
-  if (text.find(':') != std::string::npos) return range_values(key, text);
-  return split(text, ",");
+  const bool is_range = text.find(':') != std::string::npos && !allows(key, "text");
+  if (!is_range && text.find_first_of("[]{}") != std::string::npos && !allows(key, "text")) {
+    throw bad_value(key, text, "v1,v2,… or lo:hi:n or lo:hi:n:log");
+  }
+  std::vector<std::string> values = is_range ? range_values(key, text) : split(text, ",");
+  refuse_repetitions(key, YAML::Node(values));
+  return values;
 }
 
 std::vector<Scene> parse_sweep(const FlatTree& keys, const std::vector<std::string>& assignments) {
@@ -103,9 +108,9 @@ std::vector<Scene> parse_sweep(const FlatTree& keys, const std::vector<std::stri
   for (const std::string& assignment : assignments) {
     const std::size_t equals = std::min(assignment.find('='), assignment.size());
     const std::string key = assignment.substr(0, equals);
-    if (!swept.insert(key).second) throw InputError(key + ": given twice");
+    if (!swept.insert(key).second) throw InputError(shown(key) + ": given twice");
     if (equals == 0 || equals == assignment.size()) {
-      throw InputError(assignment + ": allowed: key=values");
+      throw InputError(shown(assignment) + ": allowed: key=values");
     }
     combinations = combine(combinations, key, sweep_values(key, assignment.substr(equals + 1)));
   }

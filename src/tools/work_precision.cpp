@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tools/interruption.hpp"
+#include "tools/output_folder.hpp"
 #include "tools/plotting.hpp"
 #include "tools/program.hpp"
 #include "tools/reference_integrator.hpp"
@@ -24,7 +25,7 @@ Effort quick_effort() {
 }
 
 void measure(WorkPrecision task, bool timing) {
-  make_output_folder(task.folder);
+  const OutputFolder output(task.folder);
   take_interruptions();
   if (task.quick) task.effort = quick_effort();
   fmt::print("{}\n", machine());

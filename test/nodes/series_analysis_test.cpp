@@ -389,7 +389,7 @@ INSTANTIATE_TEST_SUITE_P(
                "phase 9"},
         Damage{"ASceneThatIsNone",
                to<lattice_impact::RunStatus>(0, [](auto& m) { m.scene = "{scene: [}"; }),
-               "scene: "},
+               "scene:1: "},
         Damage{"FewerStatesAnnounced",
                to<lattice_impact::RunStatus>(1, [](auto& m) { m.states -= 1; }), "announced"},
         Damage{"NoRebound", no_rebound, "the disk has not come off"},

@@ -2,6 +2,7 @@
 """What is wrong stops a node at the door: exit code, one line, and nothing left behind."""
 
 import os
+import socket
 import tempfile
 import unittest
 
@@ -10,7 +11,8 @@ import rostest
 from lattice_impact.msg import Acknowledged
 
 from master_witness import MasterWitness
-from programs import PACKAGE, SMALL_COLLISION, analysis, random_namespace, simulation
+from programs import (PACKAGE, SMALL_COLLISION, Process, analysis, launch, node, program,
+                      random_namespace, simulation)
 
 
 class ParametersTest(unittest.TestCase):
@@ -105,6 +107,85 @@ class ParametersTest(unittest.TestCase):
     def test_bag_that_cannot_be_written(self):
         bag = os.path.join(self.folder, 'missing', 'run.bag')
         self.assert_simulation_refuses_own({'bag': bag}, 'bag: ' + bag + ' cannot be written')
+
+    def test_text_of_a_scene_and_assignments(self):
+        self.assert_stops_at_the_door(
+            lambda environment: node(
+                'simulation_node', self.namespace + '/simulation',
+                {'scene_yaml': 'scene: collision\nseed: 0100\n', 'assignments': ['disk.points=9']},
+                environment),
+            'simulation_node: seed: got 0100')
+        self.assert_simulation_refuses_own({'assignments': ['impact.velocity=7']},
+                                           'impact.velocity: got 7')
+        self.assert_simulation_refuses_own({'scene_yaml': 'a: 1\n---\n'}, 'scene_yaml: got 2 YAML')
+
+    def assert_ends_without_master(self, *arguments, uri='http://localhost:1'):
+        for name in ('simulation_node', 'analysis_node', 'recorder_node'):
+            with Process([program(name), *arguments], {'ROS_MASTER_URI': uri}) as process:
+                self.assertNotEqual(process.wait(), 0)
+                line, = process.stderr().splitlines()
+                self.assertIn(name + ': ', line)
+                self.assertIn('ROS master', line)
+
+    def test_no_master(self):
+        self.assert_ends_without_master()
+        self.assert_ends_without_master('_bag:=x.bag')
+        self.assert_ends_without_master('__master:=nowhere', '_bag:=x.bag')
+        self.assert_ends_without_master(uri='')
+
+    def assert_launch_refuses(self, file, *words, **arguments):
+        with launch(file, **arguments) as process:
+            self.assertEqual(process.wait(), 2, process.stderr())
+            line, = process.stderr().splitlines()
+            self.assertIn(file + ': ', line)
+            for word in words:
+                self.assertIn(word, line)
+            self.assertNotIn('started roslaunch server', process.stdout())
+
+    def test_launch_arguments(self):
+        self.assert_launch_refuses('collision.launch', 'velocty: unknown argument, allowed: ',
+                                   'velocity', velocty=0.1)
+        self.assert_launch_refuses('contact.launch', 'load.P: got 7, allowed: number in', P=7)
+        self.assert_launch_refuses('absorbing_wall.launch', 'wall.boundary: got soft',
+                                   boundary='soft')
+        self.assert_launch_refuses('collision.launch', 'bag: got nothing, allowed: a file', bag='')
+        self.assert_launch_refuses('collision.launch', 'bag: there is no folder /nowhere',
+                                   bag='/nowhere/run.bag')
+        self.assert_launch_refuses('collision.launch', 'none.yaml: cannot be read',
+                                   scene='none.yaml')
+        self.assert_launch_refuses('collision.launch', 'record: got maybe', record='maybe')
+
+    def test_launch_of_a_replay(self):
+        bag = os.path.join(self.folder, 'run.bag')
+        self.assert_launch_refuses('replay.launch', 'bag: got nothing')
+        self.assert_launch_refuses('replay.launch', bag + ': No such file', bag=bag)
+        with open(bag, 'w') as file:
+            file.write('no bag')
+        self.assert_launch_refuses('replay.launch', bag + ': ', 'not appear to be a bag', bag=bag)
+        with self.simulate({}) as process:
+            self.assertEqual(process.wait(), 0, process.stderr())
+        self.assert_launch_refuses('replay.launch', 'ns: got lattice_impact, allowed: ',
+                                   self.namespace, bag=bag)
+
+    def test_launch_with_a_value_that_a_node_refuses(self):
+        """Its line, an end in order, and no master left over."""
+        port = '11399'
+        for _ in range(3):
+            with Process(['roslaunch', '-p', port, PACKAGE, 'collision.launch', 'max_rate:=high',
+                          'bag:=' + os.path.join(self.folder, 'run.bag')]) as process:
+                process.wait()
+                self.assertIn('max_rate: got "high"', process.stderr())
+                self.assertNotIn('RLException', process.stderr())
+        with self.assertRaises(OSError):
+            socket.create_connection(('localhost', int(port)))
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_simulated_time_without_a_clock(self):
+        rospy.set_param('/use_sim_time', True)
+        self.addCleanup(rospy.delete_param, '/use_sim_time')
+        with self.simulate({}) as process:
+            self.assertEqual(process.wait(), 0)
+            self.assertIn('nobody publishes /clock', process.stderr() + process.stdout())
 
     def test_name_of_a_node_that_no_node_can_have(self):
         self.assert_simulation_refuses_own({'wait_for': ['no-name']}, 'wait_for', 'no-name')

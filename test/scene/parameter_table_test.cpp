@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+#include <regex>
+
 #include "expect_input_error.hpp"
 
 namespace impact {
@@ -79,7 +83,8 @@ TEST(ReadParameters, NamesKeyValueAndWhatIsAllowed) {
   EXPECT_INPUT_ERROR(read("{count: '3'}"), "count: got \"3\", allowed");
   EXPECT_INPUT_ERROR(read("{count: 03x}"), "count: got 03x, allowed");
   EXPECT_INPUT_ERROR(read("{round: 'true'}"), "round: got \"true\", allowed");
-  EXPECT_EQ(read("{count: 03}").count, 3);
+  EXPECT_INPUT_ERROR(read("{count: 03}"), "count: got 03, allowed");
+  EXPECT_INPUT_ERROR(read("{size: 00.5}"), "size: got 00.5, allowed");
   EXPECT_INPUT_ERROR(read("{body: {weight: often}}"),
                      "body.weight: got often, allowed: auto or number in [0, 10]");
   EXPECT_INPUT_ERROR(read("{count: 2.5}"), "count: got 2.5, allowed: whole number in [1, 9]");
@@ -111,6 +116,46 @@ TEST(WriteParameters, ReadsBackToTheSameBits) {
   EXPECT_EQ(again.weight, thing.weight);
   EXPECT_EQ(again.colour, thing.colour);
   EXPECT_EQ(again.names, thing.names);
+}
+
+TEST(ReadParameters, ShowsWhatItGotOnOneShortLine) {
+  EXPECT_INPUT_ERROR(read("{count: \"\\e[31m\"}"), "count: got \"\\x1b[31m\", allowed");
+  EXPECT_INPUT_ERROR(read("{\"co\\aunt\": 1}"), "co\\x07unt: unknown key");
+  try {
+    read("{count: " + std::string(5000, 'x') + "}");
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_LT(std::string(error.what()).size(), 200U);
+    EXPECT_NE(std::string(error.what()).find("(5000 bytes)"), std::string::npos);
+  }
+}
+
+TEST(Shown, CutsBetweenCharacters) {
+  std::string text;
+  while (text.size() < 300) text += "η";  // two bytes each
+  EXPECT_EQ(shown("x" + text).substr(0, 105), "x" + text.substr(0, 98) + "… (3");
+}
+
+/// What PyYAML, which follows YAML 1.1, takes for a real number.
+TEST(Exact, IsANumberForYaml11AndYaml12) {
+  const std::regex number(R"([-+]?[0-9]+\.[0-9]*([eE][-+][0-9]+)?|[-+]?[0-9]+|[-+]?\.inf|\.nan)");
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double value : {1e-5, -1e-5, 1.5e-300, 1e16, 1e300, 0.1, 3.0, -0.0, 5e-324, kInfinity,
+                             -kInfinity, std::nan(""), -std::nan("")}) {
+    const std::string text = exact(value).Scalar();
+    EXPECT_TRUE(std::regex_match(text, number)) << text;
+    const auto again = YAML::Load(text).as<double>();
+    EXPECT_TRUE(again == value || (std::isnan(again) && std::isnan(value))) << text;
+  }
+}
+
+TEST(CellText, IsAsInC) {
+  EXPECT_EQ(cell_text(exact(1e-5)), "1e-05");
+  EXPECT_EQ(cell_text(exact(0.1)), "0.1");
+  EXPECT_EQ(cell_text(exact(-std::nan(""))), "nan");
+  EXPECT_EQ(cell_text(exact(-std::numeric_limits<double>::infinity())), "-inf");
+  EXPECT_EQ(cell_text(YAML::Node("a.data")), "a.data");
+  EXPECT_EQ(cell_text(YAML::Node(9007199254740993)), "9007199254740993");
 }
 
 TEST(MarkdownTable, HasARowAParameter) {

@@ -162,6 +162,21 @@ TEST(ParseSeries, ChecksEveryRun) {
                      "seed: got [], allowed: one value at least");
 }
 
+TEST(ParseSeries, RefusesAValueTwice) {
+  EXPECT_INPUT_ERROR(parse_series(keys("{scene: collision, seed: [1, 2, 1]}")),
+                     "seed: got [1, 2, 1], allowed: no value twice");
+  EXPECT_INPUT_ERROR(parse_series(keys("{scene: collision, impact: {velocity: [0.01, 1e-2]}}")),
+                     "impact.velocity: got [0.01, 1e-2], allowed: no value twice");
+}
+
+TEST(ParseSeries, RefusesMoreScenesThanItCanHold) {
+  std::string list;
+  for (int i = 1; i <= 400; ++i) list += fmt::format("{}{}", i == 1 ? "" : ", ", i);
+  EXPECT_INPUT_ERROR(
+      parse_series(keys("{scene: collision, seed: [" + list + "], wall: {a: [" + list + "]}}")),
+      "wall.a: more than 100000 combinations");
+}
+
 TEST(ToYaml, ReadsBackToTheSameScene) {
   Scene scene = parse("{scene: contact, material: {eta: 100, k_b: 0.1}, load: {P: 0.0123456789}}");
   scene.wall.a = 1.0 / 3.0 + 299.0;
@@ -198,6 +213,7 @@ TEST(OverrideKey, ReplacesOneKey) {
   EXPECT_EQ(parse_scene(tree).seed, 7U);
   EXPECT_INPUT_ERROR(override_key(tree, "seed"), "seed: allowed: key=value");
   EXPECT_INPUT_ERROR(override_key(tree, "seed=[1"), "seed: ");
+  EXPECT_INPUT_ERROR(override_key(tree, "seed=1\n...\n2"), "seed: got 2 YAML documents");
 }
 
 TEST(LoadKeys, SaysWhyAFileCannotBeUsed) {
@@ -205,6 +221,12 @@ TEST(LoadKeys, SaysWhyAFileCannotBeUsed) {
   const std::string path = testing::TempDir() + "broken_scene.yaml";
   std::ofstream(path) << "scene: collision\nimpact: {velocity: 0.01\n";
   EXPECT_INPUT_ERROR(load_keys(path), "broken_scene.yaml:3: ");
+  for (const char* const second : {"---\nscene: contact\n", "...\nscene: contact\n"}) {
+    std::ofstream(path) << "scene: collision\n" << second;
+    EXPECT_INPUT_ERROR(load_keys(path), "broken_scene.yaml: got 2 YAML documents, allowed: one");
+  }
+  std::ofstream(path) << "---\nscene: collision\n...\n";
+  EXPECT_EQ(load_keys(path).size(), 1U);
 }
 
 class SceneFiles : public testing::TestWithParam<const char*> {};

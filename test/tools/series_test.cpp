@@ -117,14 +117,24 @@ TEST_F(RunSeries, LeavesAForeignFileAlone) {
 }
 
 TEST_F(RunSeries, ReadsBackAnyText) {
-  SeriesFile file(path_, small_scenes());
-  file.open();
-  file.append(failure("a \"reason\",\nwith \\ in it"));
+  {
+    SeriesFile file(path_, small_scenes());
+    file.open();
+    file.append(failure("a \"reason\",\nwith \\ in it"));
+  }
   const auto rows = run(small_scenes());
   EXPECT_TRUE(has_failed(rows[0]));
   EXPECT_EQ(rows[0].flags, "failed: a \"reason\",\nwith \\ in it");
   EXPECT_TRUE(std::isnan(rows[0].results.at("restitution")));
   EXPECT_FALSE(has_failed(rows[1]));
+}
+
+TEST_F(RunSeries, HasOneWriterAFile) {
+  run(small_scenes());
+  const std::string of_series = content(path_);
+  const SeriesFile other(path_, small_scenes());
+  EXPECT_INPUT_ERROR(run(small_scenes()), "series.csv: another process is writing to it");
+  EXPECT_EQ(content(path_), of_series);
 }
 
 /// A disk that starts deep in the wall.
@@ -266,7 +276,7 @@ TEST_F(RunSeries, InLanesWritesTheSameBytesForAnyNumberOfThreads) {
 
 TEST_F(RunSeries, StopsAtTheFirstSceneThatCannotBeComposed) {
   EXPECT_INPUT_ERROR(
-      run(scenes("{scene: collision, disk: {points: 40}, numerics: {step: [auto, 9, auto, 8]}}")),
+      run(scenes("{scene: collision, disk: {points: 40}, numerics: {step: [auto, 9, 8]}}")),
       "numerics.step: got 9");
   const std::string csv = content(path_);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2) << csv;

@@ -39,7 +39,32 @@ TEST(SweepValues, RefusesOtherRanges) {
     EXPECT_INPUT_ERROR(sweep_values("load.P", text),
                        std::string("load.P: got ") + text + ", allowed: lo:hi:n or lo:hi:n:log");
   }
-  EXPECT_INPUT_ERROR(sweep_values("seed", "1:3:4"), "seed: got 1:3:4, allowed: no value twice");
+  EXPECT_INPUT_ERROR(sweep_values("seed", "1:3:4"),
+                     "seed: got [1, 2, 2, 3], allowed: no value twice");
+  EXPECT_INPUT_ERROR(sweep_values("seed", "1:010:10"), "seed: got 1:010:10, allowed: lo:hi:n");
+}
+
+/// A double has 53 digits.
+TEST(SweepValues, RefusesRangesThatWouldBeRounded) {
+  EXPECT_EQ(sweep_values("seed", "9007199254740990:9007199254740992:3")[1], "9007199254740991");
+  EXPECT_INPUT_ERROR(sweep_values("seed", "9007199254740993:9007199254740999:7"),
+                     "allowed: a range within ±2^53, or a list of values");
+  EXPECT_EQ(sweep_values("seed", "9007199254740993,9007199254740995")[0], "9007199254740993");
+}
+
+TEST(SweepValues, RefusesAValueTwiceHoweverItIsWritten) {
+  EXPECT_INPUT_ERROR(sweep_values("seed", "1,2,1"), "seed: got [1, 2, 1], allowed: no value twice");
+  EXPECT_INPUT_ERROR(sweep_values("impact.velocity", "0.01,1e-2"), "allowed: no value twice");
+  EXPECT_EQ(sweep_values("seed", "9007199254740993,9007199254740992").size(), 2U);
+}
+
+TEST(SweepValues, TakesAColonInAPath) {
+  EXPECT_EQ(sweep_values("disk.file", "/a:b/c.data"), (Texts{"/a:b/c.data"}));
+}
+
+TEST(SweepValues, RefusesBrackets) {
+  EXPECT_INPUT_ERROR(sweep_values("impact.velocity", "[0.1,0.2]"),
+                     "impact.velocity: got [0.1,0.2], allowed: v1,v2,… or lo:hi:n");
 }
 
 TEST(ParseSweep, LetsTheLastKeyChangeFastest) {

@@ -1,0 +1,99 @@
+"""Executed by roslaunch while it loads a launch file of this folder, before it starts anything: where
+an argument is wrong, roslaunch ends with one line and exit code 2.
+
+`launch_file` is the path of that file, `argument(name)` the value of one of its arguments.
+"""
+
+import os
+import re
+import subprocess
+import sys
+from xml.etree import ElementTree
+
+import yaml
+from roslib.packages import find_node
+
+
+def refuse(line):
+    print('{}: {}'.format(os.path.basename(launch_file), line), file=sys.stderr)
+    sys.exit(2)
+
+
+def declared_arguments():
+    tags = ElementTree.parse(launch_file).getroot().findall('arg')
+    return [tag.get('name') for tag in tags if tag.get('value') is None]
+
+
+def check_names(declared):
+    """roslaunch itself takes what the file does not declare, or an empty value, for nothing."""
+    if not any(os.path.basename(word) == os.path.basename(launch_file) for word in sys.argv):
+        return  # included by another file
+    for word in sys.argv[1:]:
+        name = re.match('([A-Za-z]\\w*):=', word)
+        if name and name[1] not in declared:
+            refuse('{}: unknown argument, allowed: {}'.format(name[1], ', '.join(declared)))
+        if word == 'bag:=':
+            refuse_no_bag()
+
+
+def refuse_no_bag():
+    refuse('bag: got nothing, allowed: a file')
+
+
+def path_of_bag():
+    bag = str(argument('bag'))
+    if not bag:
+        refuse_no_bag()
+    return os.path.join(os.environ['PWD'], bag)
+
+
+def check_recording():
+    if argument('record') not in (True, False):
+        refuse('record: got {}, allowed: true or false'.format(argument('record')))
+    if not argument('record'):
+        return
+    folder = os.path.dirname(path_of_bag())
+    if not os.path.isdir(folder):
+        refuse('bag: there is no folder {}'.format(folder))
+    if not os.access(folder, os.W_OK | os.X_OK):
+        refuse('bag: {} cannot be written into'.format(folder))
+
+
+def check_scene():
+    check = subprocess.run(
+        [find_node('lattice_impact', 'impact')[0], '--check', str(argument('scene')),
+         *yaml.safe_load(argument('assignments'))], stderr=subprocess.PIPE, universal_newlines=True)
+    if check.returncode != 0:
+        refuse(check.stderr.strip().partition(': ')[2])
+
+
+def check_replay():
+    import rosbag  # slow, and not needed above
+    bag = path_of_bag()
+    try:
+        with rosbag.Bag(bag) as content:
+            topics = content.get_type_and_topic_info().topics
+    except (OSError, rosbag.ROSBagException) as error:
+        refuse('bag: {}: {}'.format(bag, getattr(error, 'strerror', None) or error))
+    found = [topic[:-len('/run_status')] or '/' for topic in topics
+             if topics[topic].msg_type == 'lattice_impact/RunStatus']
+    if not found:
+        refuse('bag: {} holds no run'.format(bag))
+    if '/' + argument('ns').strip('/') not in found:
+        refuse('ns: got {}, allowed: {}, as in {}'.format(argument('ns'), ' or '.join(found), bag))
+
+
+def is_about_to_run():
+    only_show = ('--ros-args', '--nodes', '--files', '--args', '--find-node', '--dump-params')
+    return (os.path.basename(sys.argv[0]) == 'roslaunch'
+            and not any(word.startswith(only_show) for word in sys.argv))
+
+
+if is_about_to_run():
+    arguments = declared_arguments()
+    check_names(arguments)
+    if 'scene' in arguments:
+        check_scene()
+        check_recording()
+    else:
+        check_replay()
