@@ -1,16 +1,79 @@
 #!/bin/bash
-# Installs and builds what is missing, then runs all tests. With --strict also the checks of the
-# sources: compiler warnings as errors, clang-format, clang-tidy and catkin_lint.
+# Installs and builds what is missing, then runs all tests.
+#   --strict              also the checks of the sources: compiler warnings as errors, clang-format,
+#                         clang-tidy and catkin_lint
+#   --sanitize address    only the unit tests, with assertions, AddressSanitizer and UBSan
+#   --sanitize thread     only those of the threaded parts, with ThreadSanitizer
+#   --fuzz SECONDS        only the fuzzers (libFuzzer), each for so long
+#   --faults SECONDS      only harm at random to recordings, bags and results, for so long
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . launch/setup.sh
 
-strict=OFF
-if [ "${1:-}" = --strict ]; then
-  strict=ON
-  install clang-format clang-tidy catkin-lint
-fi
+fuzzers="scene values lattice messages"
+
+all_tests() {
+  build -DLATTICE_IMPACT_STRICT="$1"
+  use_package
+  ctest --test-dir build --output-on-failure -j"$(nproc)"
+}
+
+# build_beside NAME TARGETS CMAKE_OPTION… — in build/NAME, which shares nothing with build.
+build_beside() {
+  local folder=build/$1 targets=$2
+  shift 2
+  cmake -S . -B "$folder" -DCATKIN_DEVEL_PREFIX="$PWD/$folder/devel" "$@"
+  cmake --build "$folder" -j"$(nproc)" --target $targets
+}
+
+# sanitize SANITIZERS FILTER ROOM…
+sanitize() {
+  local sanitizers=$1 filter=$2 folder=sanitize_${1%%,*}
+  shift 2
+  build_beside "$folder" "${*/#/test_}" \
+    -DCMAKE_BUILD_TYPE=Debug -DLATTICE_IMPACT_SANITIZE="$sanitizers"
+  # A bag that cannot be written is left as it is: its destructor would end the program.
+  echo leak:rosbag:: > build/leaks
+  for room in "$@"; do
+    LSAN_OPTIONS=suppressions=$PWD/build/leaks \
+      "build/$folder/test/test_$room" --gtest_brief=1 --gtest_filter="$filter"
+  done
+}
+
+fuzz() {
+  install clang
+  build_beside fuzz fuzzers -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug \
+    -DLATTICE_IMPACT_SANITIZE=fuzzer-no-link,address,undefined
+  for name in $fuzzers; do
+    local corpus=build/fuzz/corpus/$name seeds=test/fuzz/seeds/$name
+    [ "$name" = scene ] && seeds=launch/scenes
+    mkdir -p "$corpus" "build/fuzz/found"
+    [ -d "$seeds" ] || seeds=
+    "build/fuzz/test/fuzz_$name" -max_total_time="$1" -print_final_stats=1 -verbosity=0 \
+      -artifact_prefix="build/fuzz/found/$name-" "$corpus" $seeds
+  done
+}
+
 install $packages
-build -DLATTICE_IMPACT_STRICT=$strict
-use_package
-ctest --test-dir build --output-on-failure -j"$(nproc)"
+case "${1:-}" in
+  "") all_tests OFF ;;
+  --strict)
+    install clang-format clang-tidy catkin-lint
+    all_tests ON ;;
+  --sanitize)
+    case "${2:-}" in
+      address)
+        sanitize address,undefined '*' lattice mechanics solvers reference scene measure theory \
+          run tools nodes ;;
+      thread) sanitize thread '*Thread*:*SideBySide*:RunSeries*' mechanics tools ;;
+      *) echo "--sanitize: got '${2:-}', allowed: address or thread" >&2; exit 2 ;;
+    esac ;;
+  --fuzz) fuzz "${2:-60}" ;;
+  --faults)
+    build
+    use_package
+    test/faults/faults.py --seconds "${2:-60}" ;;
+  *)
+    echo "got '$1', allowed: --strict, --sanitize, --fuzz or --faults" >&2
+    exit 2 ;;
+esac

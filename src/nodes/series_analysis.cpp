@@ -73,8 +73,10 @@ void SeriesAnalysis::add(const lattice_impact::ContactForces& message) {
 
 void SeriesAnalysis::add(const lattice_impact::RunStatus& message) {
   Run& run = open_run(message.run);
-  run.status = message;
   std::string fault = RunChecks::fault_of(message);
+  if (run.status && run.status->scene != message.scene)
+    fault = "not the scene of the status before";
+  run.status = message;
   if (!run.scene) {
     try {
       run.scene = parse_scene(parse_keys(message.scene, "scene"));

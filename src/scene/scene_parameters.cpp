@@ -284,6 +284,16 @@ std::string canonical(const YAML::Node& value) {
   return fmt::format("{}", *real);
 }
 
+/// One run would count as two.
+void refuse_repetitions(const std::string& key, const YAML::Node& list) {
+  std::set<std::string> values;
+  for (const YAML::Node& value : list) {
+    if (!values.insert(canonical(value)).second) {
+      throw bad_value(key, one_line(list), "no value twice");
+    }
+  }
+}
+
 void check_combination(const Scene& scene) {
   check_integrator(scene);
   check_resolution(scene);
@@ -336,39 +346,40 @@ Scene parse_scene(const FlatTree& keys, const std::string& other_names) {
   return scene;
 }
 
-void refuse_repetitions(const std::string& key, const YAML::Node& list) {
-  std::set<std::string> values;
-  for (const YAML::Node& value : list) {
-    if (!values.insert(canonical(value)).second) {
-      throw bad_value(key, one_line(list), "no value twice");
+std::vector<Scene> parse_combinations(FlatTree keys, const std::vector<KeyValues>& lists,
+                                      const std::string& other_names) {
+  std::size_t count = 1;
+  for (const auto& [key, values] : lists) {
+    if (values.size() == 0) throw bad_value(key, "[]", "one value at least");
+    refuse_repetitions(key, values);
+    count *= values.size();
+    if (count > kMostScenes) {
+      throw InputError(fmt::format("{}: more than {} combinations", shown(key), kMostScenes));
     }
   }
+  std::vector<Scene> scenes;
+  scenes.reserve(count);
+  for (std::size_t number = 0; number < count; ++number) {
+    std::size_t rest = number;
+    for (auto list = lists.rbegin(); list != lists.rend(); ++list) {
+      keys[list->first].reset(list->second[rest % list->second.size()]);
+      rest /= list->second.size();
+    }
+    scenes.push_back(parse_scene(keys, other_names));
+  }
+  return scenes;
 }
 
-InputError too_many_scenes(const std::string& key) {
-  return InputError(fmt::format("{}: more than {} combinations", shown(key), kMostScenes));
+std::vector<KeyValues> lists_of(const FlatTree& keys) {
+  std::vector<KeyValues> lists;
+  for (const auto& [key, value] : keys) {
+    if (value.IsSequence()) lists.emplace_back(key, value);
+  }
+  return lists;
 }
 
 std::vector<Scene> parse_series(const FlatTree& keys, const std::string& other_names) {
-  std::vector<FlatTree> runs{keys};
-  for (const auto& entry : keys) {
-    if (!entry.second.IsSequence()) continue;
-    if (entry.second.size() == 0) throw bad_value(entry.first, "[]", "one value at least");
-    refuse_repetitions(entry.first, entry.second);
-    if (runs.size() * entry.second.size() > kMostScenes) throw too_many_scenes(entry.first);
-    std::vector<FlatTree> longer;
-    for (const FlatTree& run : runs) {
-      for (const YAML::Node& value : entry.second) {
-        longer.push_back(run);
-        longer.back()[entry.first].reset(value);
-      }
-    }
-    runs = std::move(longer);
-  }
-  std::vector<Scene> scenes;
-  scenes.reserve(runs.size());
-  for (const FlatTree& run : runs) scenes.push_back(parse_scene(run, other_names));
-  return scenes;
+  return parse_combinations(keys, lists_of(keys), other_names);
 }
 
 std::string to_yaml(const Scene& scene) {
@@ -391,17 +402,21 @@ FlatTree load_keys(const std::filesystem::path& path) {
   return parse_keys({std::istreambuf_iterator<char>(file), {}}, path.string());
 }
 
+YAML::Node parse_value(const std::string& key, const std::string& text) {
+  try {
+    return only_document(text, shown(key));
+  } catch (const YAML::Exception& error) {
+    throw InputError(fmt::format("{}: {}", shown(key), error.msg));
+  }
+}
+
 void override_key(FlatTree& keys, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == 0 || equals == std::string::npos) {
     throw InputError(fmt::format("{}: allowed: key=value", shown(assignment)));
   }
   const std::string key = assignment.substr(0, equals);
-  try {
-    keys[key].reset(only_document(assignment.substr(equals + 1), shown(key)));
-  } catch (const YAML::Exception& error) {
-    throw InputError(fmt::format("{}: {}", shown(key), error.msg));
-  }
+  keys[key].reset(parse_value(key, assignment.substr(equals + 1)));
 }
 
 }  // namespace impact

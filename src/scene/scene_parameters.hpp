@@ -25,16 +25,22 @@ Scene parse_scene(const FlatTree& keys, const std::string& other_names = {});
 /// The most scenes that a series has.
 constexpr std::size_t kMostScenes = 100'000;
 
-/// The error for the key whose values make a series longer than that.
-InputError too_many_scenes(const std::string& key);
+/// A key and a YAML list of the values that it takes in turn.
+using KeyValues = std::pair<std::string, YAML::Node>;
 
-/// @throw InputError when a list of values for this key has one twice: one run would count as two.
-void refuse_repetitions(const std::string& key, const YAML::Node& list);
+/// The scenes of all combinations of the values, the last key changing fastest; the other keys are
+/// those of `keys`.
+/// @throw InputError as parse_scene(), for an empty list or one that has a value twice, and for
+/// more than kMostScenes combinations; every scene is checked before any is returned.
+std::vector<Scene> parse_combinations(FlatTree keys, const std::vector<KeyValues>& lists,
+                                      const std::string& other_names = {});
+
+/// The keys of the tree that have a list, in alphabetical order.
+std::vector<KeyValues> lists_of(const FlatTree& keys);
 
 /// A series: a key of the tree may hold a list of values, which then are taken in turn; with
 /// several lists, all combinations, the last key in alphabetical order changing fastest.
-/// @throw InputError as parse_scene(), for a value that a list has twice and for more than
-/// kMostScenes runs; every run is checked before any is returned.
+/// @throw InputError as parse_combinations().
 std::vector<Scene> parse_series(const FlatTree& keys, const std::string& other_names = {});
 
 /// The scene as YAML; parse_scene() of it gives the same bits.
@@ -47,6 +53,10 @@ FlatTree parse_keys(const std::string& yaml, const std::string& name);
 /// The tree of a YAML file.
 /// @throw InputError when it cannot be read, and as parse_keys().
 FlatTree load_keys(const std::filesystem::path& path);
+
+/// The value of `key` as YAML.
+/// @throw InputError when it is not one YAML document.
+YAML::Node parse_value(const std::string& key, const std::string& text);
 
 /// Replaces or adds the key of `assignment` (`impact.velocity=0.02`).
 /// @throw InputError when it is not of the form key=value.

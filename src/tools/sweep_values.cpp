@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <set>
 
 #include "scene/scene_parameters.hpp"
 
@@ -77,19 +76,6 @@ std::vector<std::string> range_values(const std::string& key, const std::string&
   return values;
 }
 
-std::vector<FlatTree> combine(const std::vector<FlatTree>& trees, const std::string& key,
-                              const std::vector<std::string>& values) {
-  if (trees.size() * values.size() > kMostScenes) throw too_many_scenes(key);
-  std::vector<FlatTree> combinations;
-  for (const FlatTree& tree : trees) {
-    for (const std::string& value : values) {
-      combinations.push_back(tree);
-      override_key(combinations.back(), fmt::format("{}={}", key, value));
-    }
-  }
-  return combinations;
-}
-
 }  // namespace
 
 std::vector<std::string> sweep_values(const std::string& key, const std::string& text) {
@@ -97,28 +83,32 @@ std::vector<std::string> sweep_values(const std::string& key, const std::string&
   if (!is_range && text.find_first_of("[]{}") != std::string::npos && !allows(key, "text")) {
     throw bad_value(key, text, "v1,v2,… or lo:hi:n or lo:hi:n:log");
   }
-  std::vector<std::string> values = is_range ? range_values(key, text) : split(text, ",");
-  refuse_repetitions(key, YAML::Node(values));
-  return values;
+  return is_range ? range_values(key, text) : split(text, ",");
 }
 
 std::vector<Scene> parse_sweep(const FlatTree& keys, const std::vector<std::string>& assignments) {
-  std::vector<FlatTree> combinations{keys};
-  std::set<std::string> swept;
+  std::vector<KeyValues> lists;
   for (const std::string& assignment : assignments) {
     const std::size_t equals = std::min(assignment.find('='), assignment.size());
     const std::string key = assignment.substr(0, equals);
-    if (!swept.insert(key).second) throw InputError(shown(key) + ": given twice");
     if (equals == 0 || equals == assignment.size()) {
       throw InputError(shown(assignment) + ": allowed: key=values");
     }
-    combinations = combine(combinations, key, sweep_values(key, assignment.substr(equals + 1)));
+    const auto is_key = [&](const KeyValues& list) { return list.first == key; };
+    if (std::any_of(lists.begin(), lists.end(), is_key)) {
+      throw InputError(shown(key) + ": given twice");
+    }
+    YAML::Node values(YAML::NodeType::Sequence);
+    for (const std::string& value : sweep_values(key, assignment.substr(equals + 1))) {
+      values.push_back(parse_value(key, value));
+    }
+    lists.emplace_back(key, values);
   }
-  std::vector<Scene> scenes;
-  for (const FlatTree& combination : combinations) {
-    for (const Scene& scene : parse_series(combination)) scenes.push_back(scene);
+  for (const KeyValues& list : lists_of(keys)) {
+    const auto is_key = [&](const KeyValues& other) { return other.first == list.first; };
+    if (std::none_of(lists.begin(), lists.end(), is_key)) lists.push_back(list);
   }
-  return scenes;
+  return parse_combinations(keys, lists);
 }
 
 }  // namespace impact

@@ -11,7 +11,7 @@ namespace impact {
 /// The values that a text stands for: `v`, `v1,v2,…`, `lo:hi:n` (n values at equal distances, both
 /// ends included) or `lo:hi:n:log` (at equal ratios). What lies between the ends is rounded to 12
 /// digits, or to a whole number for a key of whole numbers. A key that takes a text has no ranges.
-/// @throw InputError for any other text with a colon or brackets, and where values coincide.
+/// @throw InputError for any other text with a colon or brackets.
 std::vector<std::string> sweep_values(const std::string& key, const std::string& text);
 
 /// The scenes of all combinations of the values in the assignments (`key=values`), the last key
