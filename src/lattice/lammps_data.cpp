@@ -90,7 +90,7 @@ class LineReader {
     char* end = nullptr;
     const double value = std::strtod(word.c_str(), &end);
     if (end != word.c_str() + word.size() || !std::isfinite(value)) {
-      fail(fmt::format("`{}` is not a finite number", shown(word)));
+      fail(fmt::format("`{}` is not a finite number", shown(std::string(word))));
     }
     return value;
   }
@@ -102,20 +102,15 @@ class LineReader {
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size() || value < low || value > high) {
-      fail(high == kLargestId
-               ? fmt::format("{} `{}`, allowed: whole number from {}", what, shown(word), low)
-               : fmt::format("{} `{}`, allowed {} … {}", what, shown(word), low, high));
+      fail(high == kLargestId ? fmt::format("{} `{}`, allowed: whole number from {}", what,
+                                            shown(std::string(word)), low)
+                              : fmt::format("{} `{}`, allowed {} … {}", what,
+                                            shown(std::string(word)), low, high));
     }
     return value;
   }
 
  private:
-  /// As much as fits into a message.
-  static std::string shown(std::string_view word) {
-    constexpr std::size_t kMost = 40;
-    return word.size() <= kMost ? std::string(word) : std::string(word.substr(0, kMost)) + "…";
-  }
-
   bool next_line() {
     if (place_ >= text_.size()) return false;
     ++number_;
@@ -214,7 +209,7 @@ class DataFile {
       reader_.fail(fmt::format(
           "section {}: what it says is not followed here, allowed: {}; take it out if the lattice "
           "is meant without",
-          section_, fmt::join(known, ", ")));
+          shown(section_), fmt::join(known, ", ")));
     }
     if (!seen_.insert(section_).second) reader_.fail(fmt::format("section {} again", section_));
     if (section_ == "Atoms") {
@@ -234,7 +229,7 @@ class DataFile {
     const auto* style = std::find_if(kStyles.begin(), kStyles.end(),
                                      [&](const AtomStyle& known) { return known.name == hint; });
     if (style == kStyles.end()) {
-      reader_.fail(fmt::format("atom style {}: allowed bond, molecular and full{}", hint,
+      reader_.fail(fmt::format("atom style {}: allowed bond, molecular and full{}", shown(hint),
                                hint == "atomic" ? "; it has no bonds" : ""));
     }
     style_ = style;
@@ -290,7 +285,7 @@ class DataFile {
     if (style_->charged) atom.charge = reader_.real(3);
     atom.place = {reader_.real(x), reader_.real(x + 1)};
     if (reader_.real(x + 2) != 0.0) {
-      reader_.fail(fmt::format("z = {}, allowed 0", reader_.words()[x + 2]));
+      reader_.fail(fmt::format("z = {}, allowed 0", shown(std::string(reader_.words()[x + 2]))));
     }
     atom.line = reader_.number();
     if (reader_.words().size() > x + 3) apply_image_flags(x + 3, atom);
@@ -336,7 +331,8 @@ class DataFile {
     const std::int32_t a = index_of(2);
     const std::int32_t b = index_of(3);
     if (a == b) {
-      reader_.fail(fmt::format("atom {} is bonded to itself", reader_.words()[2]));
+      reader_.fail(
+          fmt::format("atom {} is bonded to itself", shown(std::string(reader_.words()[2]))));
     }
     bonds_.push_back({std::min(a, b), std::max(a, b)});
     bond_lines_.push_back(reader_.number());

@@ -117,7 +117,7 @@ class ParametersTest(unittest.TestCase):
             'simulation_node: seed: got 0100')
         self.assert_simulation_refuses_own({'assignments': ['impact.velocity=7']},
                                            'impact.velocity: got 7')
-        self.assert_simulation_refuses_own({'scene_yaml': 'a: 1\n---\n'}, 'scene_yaml: got 2 YAML')
+        self.assert_simulation_refuses_own({'scene_yaml': 'a: 1\n---\n'}, 'scene_yaml: allowed: one YAML document')
 
     def assert_ends_without_master(self, *arguments, uri='http://localhost:1'):
         for name in ('simulation_node', 'analysis_node', 'recorder_node'):

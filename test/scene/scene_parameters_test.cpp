@@ -213,7 +213,11 @@ TEST(OverrideKey, ReplacesOneKey) {
   EXPECT_EQ(parse_scene(tree).seed, 7U);
   EXPECT_INPUT_ERROR(override_key(tree, "seed"), "seed: allowed: key=value");
   EXPECT_INPUT_ERROR(override_key(tree, "seed=[1"), "seed: ");
-  EXPECT_INPUT_ERROR(override_key(tree, "seed=1\n...\n2"), "seed: got 2 YAML documents");
+  EXPECT_INPUT_ERROR(override_key(tree, "seed=1\n...\n2"), "seed: allowed: one YAML document");
+  EXPECT_INPUT_ERROR(override_key(tree, "seed=,"), "seed: allowed: one YAML document");
+  EXPECT_INPUT_ERROR(override_key(tree, std::string("seed=1\0", 7)),
+                     "seed: got the control character \\x00");
+  EXPECT_INPUT_ERROR(override_key(tree, "seed=1\x04"), "seed: got the control character \\x04");
 }
 
 TEST(LoadKeys, SaysWhyAFileCannotBeUsed) {
@@ -223,7 +227,7 @@ TEST(LoadKeys, SaysWhyAFileCannotBeUsed) {
   EXPECT_INPUT_ERROR(load_keys(path), "broken_scene.yaml:3: ");
   for (const char* const second : {"---\nscene: contact\n", "...\nscene: contact\n"}) {
     std::ofstream(path) << "scene: collision\n" << second;
-    EXPECT_INPUT_ERROR(load_keys(path), "broken_scene.yaml: got 2 YAML documents, allowed: one");
+    EXPECT_INPUT_ERROR(load_keys(path), "broken_scene.yaml: allowed: one YAML document");
   }
   std::ofstream(path) << "---\nscene: collision\n...\n";
   EXPECT_EQ(load_keys(path).size(), 1U);
