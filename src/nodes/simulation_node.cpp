@@ -134,7 +134,7 @@ SimulationNode::SimulationNode(const SimulationNodeParameters& parameters,
 }
 
 bool SimulationNode::run_series() {
-  if (!clock_ && ros::Time::isSimTime() && !is_published("/clock")) {
+  if (!parameters_.publish_clock && ros::Time::isSimTime() && !is_published("/clock")) {
     ROS_WARN(
         "/use_sim_time is true and nobody publishes /clock: simulated time will stand still; see "
         "publish_clock");
