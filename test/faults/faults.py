@@ -8,6 +8,7 @@ instants of a busy machine.
 
 import argparse
 import collections
+import contextlib
 import copy
 import math
 import os
@@ -112,6 +113,7 @@ class Faults:
         self.folder = folder
         self.draw = draw
         self.bag = folder / 'run.bag'
+        self.log = folder / 'launch.log'
         self.namespace = '/faults'
         with self.simulate() as node:
             require(node.wait() == 0, node.stderr())
@@ -142,12 +144,20 @@ class Faults:
             del fit['run']
         return content['topics'], sorted(map(repr, content['runs'])), repr(content.get('law_fits'))
 
+    @contextlib.contextmanager
     def launch(self, **arguments):
+        """roslaunch, with its output in a file: a full pipe would stop the nodes."""
         words = ['{}:={}'.format(name, value) for name, value in arguments.items()]
-        return subprocess.Popen(['roslaunch', '-p', str(free_port()), programs.PACKAGE,
-                                 'collision.launch', 'bag:=' + str(self.bag), *words],
-                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                universal_newlines=True)
+        with open(str(self.log), 'w') as log:
+            process = subprocess.Popen(['roslaunch', '-p', str(free_port()), programs.PACKAGE,
+                                        'collision.launch', 'bag:=' + str(self.bag), *words],
+                                       stdout=log, stderr=subprocess.STDOUT)
+            try:
+                yield process
+                process.wait(TIMEOUT)
+            finally:
+                process.send_signal(signal.SIGINT)
+                process.wait()
 
     def clear(self):
         """Takes away what an earlier fault has left."""
@@ -156,10 +166,10 @@ class Faults:
 
     def recording(self):
         """Recording of four impacts"""
-        with self.launch(N=60, velocity='[0.01,0.02,0.03,0.05]') as process:
-            output = process.communicate(timeout=TIMEOUT)[0]
+        with self.launch(N=60, velocity='[0.01,0.02,0.03,0.05]'):
+            pass
         analysis = run('analyse_bag', self.bag)
-        require(analysis.returncode == 0, output + analysis.stderr)
+        require(analysis.returncode == 0, self.log.read_text() + analysis.stderr)
         return 'complete'
 
     def killed_node(self):
@@ -174,7 +184,7 @@ class Faults:
             time.sleep(self.draw.uniform(0.0, 3.0))
             for child in processes_below(process.pid, victim):
                 os.kill(child, signal.SIGKILL)
-            output = process.communicate(timeout=TIMEOUT)[0]
+        output = self.log.read_text()
         if self.bag.read_bytes() != self.good:
             require(run('analyse_bag', self.bag).returncode == 0, 'replaced by less: ' + output)
             return 'had ended'
