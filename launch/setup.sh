@@ -1,13 +1,14 @@
 # Sourced by demo.sh and test/run.sh: installs what is missing (Debian 12 packages) and builds.
 # Leaves a shell in which rosrun and roslaunch find the package.
 
+# To build and to run; the tests need the others too.
 packages="g++ make cmake catkin ros-message-generation ros-std-msgs ros-geometry-msgs
   ros-visualization-msgs ros-rosgraph-msgs ros-diagnostic-msgs libstd-msgs-dev libgeometry-msgs-dev
   libvisualization-msgs-dev libros-rosgraph-msgs-dev libdiagnostic-updater-dev libroscpp-dev
-  librosbag-dev librostest-dev libgtest-dev libbenchmark-dev python3-rostest python3-rosbag
-  python3-roslaunch python3-matplotlib python3-numpy rosbash libboost-dev libeigen3-dev
-  libcgal-dev libyaml-cpp-dev libcli11-dev libfmt-dev libgsl-dev
-  libsundials-dev libtbb-dev zlib1g-dev"
+  librosbag-dev python3-rosbag python3-roslaunch rosbash libboost-dev libeigen3-dev libcgal-dev
+  libyaml-cpp-dev libcli11-dev libfmt-dev libgsl-dev libsundials-dev libtbb-dev zlib1g-dev"
+test_packages="librostest-dev libgtest-dev libbenchmark-dev python3-rostest python3-matplotlib
+  python3-numpy"
 
 as_root() {
   if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi
@@ -23,10 +24,12 @@ install() {
   fi
 }
 
-# build CMAKE_OPTION… — configures and builds the checkout in ./build.
+# build TARGETS CMAKE_OPTION… — configures the checkout in ./build and builds these targets.
 build() {
+  local targets=$1
+  shift
   cmake -S . -B build "$@"
-  cmake --build build -j"$(nproc)"
+  cmake --build build -j"$(nproc)" --target $targets
 }
 
 use_package() {

@@ -13,7 +13,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 fuzzers="scene values lattice messages"
 
 all_tests() {
-  build -DLATTICE_IMPACT_STRICT="$1"
+  build all -DCATKIN_ENABLE_TESTING=ON -DLATTICE_IMPACT_STRICT="$1"
   use_package
   ctest --test-dir build --output-on-failure -j"$(nproc)"
 }
@@ -54,7 +54,7 @@ fuzz() {
   done
 }
 
-install $packages
+install $packages $test_packages
 case "${1:-}" in
   "") all_tests OFF ;;
   --strict)
@@ -71,7 +71,7 @@ case "${1:-}" in
     esac ;;
   --fuzz) fuzz "${2:-60}" ;;
   --faults)
-    build
+    build all -DCATKIN_ENABLE_TESTING=ON
     use_package
     test/faults/faults.py --seconds "${2:-60}" ;;
   *)
