@@ -118,13 +118,16 @@ class Faults:
         with self.simulate() as node:
             require(node.wait() == 0, node.stderr())
         self.good = self.bag.read_bytes()
+        self.original = folder / 'good.bag'
+        self.original.write_bytes(self.good)
+        self.damaged = folder / 'damaged.bag'
         self.report = run('analyse_bag', self.bag)
         require(self.report.returncode == 0, self.report.stderr)
         self.numbers = self.numbers_of(self.report.stdout)
 
     def simulate(self, **parameters):
-        programs.rospy.delete_param(self.namespace) if programs.rospy.has_param(
-            self.namespace) else None
+        if programs.rospy.has_param(self.namespace):
+            programs.rospy.delete_param(self.namespace)
         return programs.simulation(self.namespace, 'collision', SMALL,
                                    **dict({'bag': str(self.bag)}, **parameters))
 
@@ -208,9 +211,20 @@ class Faults:
         require(self.bag.read_bytes() == self.good, 'the good bag was replaced')
         return 'cannot be written'
 
-    def judge(self, bag):
-        """Whatever was done to the bag, no number may differ without a word."""
-        analysis = run('analyse_bag', bag)
+    def records(self):
+        """Topic, message and stamp of all that is in the good bag."""
+        with rosbag.Bag(str(self.original)) as bag:
+            return [list(record) for record in bag.read_messages()]
+
+    def judge_records(self, records):
+        with rosbag.Bag(str(self.damaged), 'w') as bag:
+            for topic, message, stamp in records:
+                bag.write(topic, message, stamp)
+        return self.judge()
+
+    def judge(self):
+        """Whatever was done to the damaged bag, no number may differ without a word."""
+        analysis = run('analyse_bag', self.damaged)
         require(analysis.returncode in (0, 1, 2), 'exit code {}'.format(analysis.returncode))
         if analysis.returncode == 0 and self.without_order(analysis.stdout) == self.without_order(
                 self.report.stdout):
@@ -240,14 +254,12 @@ class Faults:
             del content[place:]
         else:
             del content[place:place + self.draw.randrange(1, 200)]
-        damaged = self.folder / 'damaged.bag'
-        damaged.write_bytes(content)
-        return self.judge(damaged)
+        self.damaged.write_bytes(content)
+        return self.judge()
 
     def damaged_message(self):
         """A message of a bag changed, left out, doubled or put elsewhere"""
-        with rosbag.Bag(str(self.folder / 'good.bag')) as bag:
-            records = [list(record) for record in bag.read_messages()]
+        records = self.records()
         place = self.draw.randrange(len(records))
         kind = self.draw.randrange(8)
         if kind == 0:
@@ -261,11 +273,7 @@ class Faults:
         else:
             records[place][1] = copy.deepcopy(records[place][1])
             self.damage(records[place][1])
-        damaged = self.folder / 'damaged.bag'
-        with rosbag.Bag(str(damaged), 'w') as bag:
-            for topic, message, stamp in records:
-                bag.write(topic, message, stamp)
-        return self.judge(damaged)
+        return self.judge_records(records)
 
     def damage(self, message):
         """One field of it, or one element of an array."""
@@ -299,19 +307,14 @@ class Faults:
 
     def missing_part(self):
         """A run or a topic of a bag missing"""
-        with rosbag.Bag(str(self.folder / 'good.bag')) as bag:
-            records = list(bag.read_messages())
+        records = self.records()
         if self.draw.random() < 0.5:
             absent = self.draw.randrange(2)
             kept = [record for record in records if record[1].run != absent]
         else:
             absent = self.draw.choice(sorted({record[0] for record in records}))
             kept = [record for record in records if record[0] != absent]
-        damaged = self.folder / 'damaged.bag'
-        with rosbag.Bag(str(damaged), 'w') as bag:
-            for topic, message, stamp in kept:
-                bag.write(topic, message, stamp)
-        said = self.judge(damaged)
+        said = self.judge_records(kept)
         require(said == 'told', '{} is missing: {}'.format(absent, said))
         return said
 
@@ -382,7 +385,6 @@ class Faults:
     def impact(points, output):
         return start('impact', programs.scene_file('collision'), 'disk.points={}'.format(points),
                      'impact.velocity=0.05', 'output.period=0.001', '--output', output)
-
 
     def soak(self):
         """2000 impacts through both nodes and the recorder, twice"""
@@ -457,7 +459,6 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             programs.poll_until(is_master_there, 'master')
             faults = Faults(pathlib.Path(folder), random.Random(options.seed))
-            shutil.copy(str(faults.bag), str(pathlib.Path(folder) / 'good.bag'))
             kinds = [kind for kind in KINDS if kind.__name__ in options.only]
             said, wrong = do_harm(faults, kinds, options.seconds, options.tries)
     finally:
