@@ -1,6 +1,17 @@
 #include "measure/impact_analysis.hpp"
 
+#include <cmath>
+
 namespace impact {
+namespace {
+
+/// Twice the energy of translation and rotation, M c², with this moment of inertia.
+double rigid_energy(const BodyMotion& motion, double moment_of_inertia) {
+  return motion.velocity.square().sum() +
+         motion.angular_momentum * motion.angular_momentum / moment_of_inertia;
+}
+
+}  // namespace
 
 void ImpactAnalysis::add(const State& state) {
   latest_ = body_motion(state.position, state.velocity);
@@ -26,6 +37,8 @@ Restitution ImpactAnalysis::restitution(bool separated) const {
   result.restitution = -result.velocity_after / result.velocity_before;
   result.tangential_velocity_after = latest_.velocity.x();
   result.spin_after = latest_.angular_momentum / before_->moment_of_inertia;
+  result.energy_restitution = std::sqrt(rigid_energy(latest_, before_->moment_of_inertia) /
+                                        rigid_energy(*before_, before_->moment_of_inertia));
   result.contact_end = contact_.end();
   result.contact_duration = contact_.duration();
   result.peak_force = contact_.peak_force();

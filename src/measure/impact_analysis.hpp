@@ -19,6 +19,9 @@ struct Restitution {
   /// Counter-clockwise, c/R: the angular momentum over the moment of inertia at the start, so that
   /// the disk's vibrations do not show.
   double spin_after = kNaN;
+  /// √(E′/E), E of the rigid motion: translation and rotation. Unlike e it counts an impact that
+  /// only turns the disk as one without loss.
+  double energy_restitution = kNaN;
   double contact_begin = kNaN;     ///< R/c
   double contact_end = kNaN;       ///< R/c
   double contact_duration = kNaN;  ///< R/c

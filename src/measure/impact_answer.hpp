@@ -13,9 +13,10 @@ namespace impact {
 template <class Numbers>
 constexpr auto impact_numbers() {
   using Number = std::pair<const char*, double Numbers::*>;
-  return std::array<Number, 8>{{{"restitution", &Numbers::restitution},
+  return std::array<Number, 9>{{{"restitution", &Numbers::restitution},
                                 {"tangential_velocity_after", &Numbers::tangential_velocity_after},
                                 {"spin_after", &Numbers::spin_after},
+                                {"energy_restitution", &Numbers::energy_restitution},
                                 {"contact_begin", &Numbers::contact_begin},
                                 {"contact_end", &Numbers::contact_end},
                                 {"contact_duration", &Numbers::contact_duration},

@@ -110,7 +110,13 @@ State start_of(const Composition& composition, const Resolution& resolution) {
   return start;
 }
 
+void refuse_impossible(const Scene& scene) {
+  refuse_missing_integrator(scene);
+  if (scene.has_recipes_only()) refuse_if_too_long(scene);
+}
+
 Composition compose(const Scene& scene, std::shared_ptr<const Bodies> bodies) {
+  refuse_missing_integrator(scene);
   refuse_if_too_long(scene, bodies->disk.points.rows(),
                      bodies->wall ? bodies->wall->lattice.points.rows() : 0);
   const auto& flags = bodies->flags;
@@ -126,7 +132,7 @@ Composition compose(const Scene& scene, std::shared_ptr<const Bodies> bodies) {
 }
 
 Composition compose(const Scene& scene) {
-  if (scene.has_recipes_only()) refuse_if_too_long(scene);
+  refuse_impossible(scene);
   return compose(scene, make_bodies(scene));
 }
 

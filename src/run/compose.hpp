@@ -22,8 +22,12 @@ struct Composition {
   double expected_time = 0.0;  ///< rough time at which the run's question is answered, R/c
 };
 
-/// @throw InputError for a lattice that cannot be used, and for a given step beyond the stability
-/// bound of the lattice and its damping, and as refuse_if_too_long().
+/// @throw InputError for what is known before the bodies are made: as refuse_missing_integrator()
+/// and, where they are made by recipes, refuse_if_too_long().
+void refuse_impossible(const Scene& scene);
+
+/// @throw InputError as refuse_impossible(), for a lattice that cannot be used, and for a given
+/// step beyond the stability bound of the lattice and its damping, and as refuse_if_too_long().
 Composition compose(const Scene& scene);
 /// With the bodies of this scene or one of the same bodies.
 Composition compose(const Scene& scene, std::shared_ptr<const Bodies> bodies);

@@ -37,13 +37,16 @@ double step_of(const Resolution& resolution) {
 }
 
 /// What is measured when the disk has left for good too: the wall's energy U that is left at the
-/// end of a run still adds U/v′ to the velocity v′ of the disk (M = 1, U ≪ v′²).
+/// end of a run still adds U/v′ to the velocity v′ of the disk (M = 1, U ≪ v′²), U to its energy.
 Restitution after_the_tail(const Run& run, Restitution measured) {
   const double energy = run.motion().field().wall_potential_energy(run.state().position);
   const double gain = energy / measured.velocity_after;
   measured.velocity_after += gain;
   measured.restitution = -measured.velocity_after / measured.velocity_before;
   measured.impulse += gain;
+  const double squared_speed = measured.velocity_before * measured.velocity_before;
+  measured.energy_restitution = std::sqrt(
+      measured.energy_restitution * measured.energy_restitution + 2.0 * energy / squared_speed);
   return measured;
 }
 

@@ -15,7 +15,7 @@
 #include "run/expected_time.hpp"
 #include "run/rk8pd_offer.hpp"
 #include "scene/scene_parameters.hpp"
-#include "solvers/bdf.hpp"
+#include "solvers/make_bdf.hpp"
 
 namespace impact {
 namespace {
@@ -276,12 +276,25 @@ double round_step_down(double value, double unit) {
                                            : unit / std::ceil(unit / value - kRounding);
 }
 
+void refuse_missing_integrator(const Scene& scene) {
+  constexpr const char* kKey = "numerics.integrator";
+  const IntegratorKind kind = scene.numerics.integrator;
+  if (kind == IntegratorKind::kRk8pd && !offers_rk8pd()) {
+    throw bad_value(kKey, "rk8pd",
+                    "another one here; the programs impact, sweep and work_precision have it");
+  }
+  if (kind == IntegratorKind::kBdf && !has_bdf()) {
+    throw bad_value(kKey, "bdf",
+                    "another one here; bdf needs a build with SUNDIALS (libsundials-dev)");
+  }
+}
+
 std::unique_ptr<Integrator> make_integrator(const Scene& scene, const Resolution& resolution,
                                             double sound_speed) {
   const Scales scales = scales_of(scene, sound_speed);
   switch (resolution.integrator) {
     case IntegratorKind::kBdf:
-      return std::make_unique<Bdf>(resolution.tolerance, scales);
+      return make_bdf(resolution.tolerance, scales);
     case IntegratorKind::kRk8pd:
       return offered_rk8pd(resolution.tolerance, scales);
     default:

@@ -107,8 +107,11 @@ double round_step_down(double value, double unit);
 template <class Field>
 std::unique_ptr<FixedStepIntegrator<Field>> make_fixed(IntegratorKind integrator);
 
-/// Makes the integrator of a resolution.
-/// @throw InputError for rk8pd in a program that does not offer it, see offer_rk8pd().
+/// @throw InputError for an integrator that the program does not have: rk8pd where it is not
+/// offered (offer_rk8pd()), bdf where the package was built without SUNDIALS.
+void refuse_missing_integrator(const Scene& scene);
+
+/// Makes the integrator of a resolution, which the program has.
 std::unique_ptr<Integrator> make_integrator(const Scene& scene, const Resolution& resolution,
                                             double sound_speed);
 

@@ -14,7 +14,9 @@ using MakeRk8pd = std::function<std::unique_ptr<Integrator>(double tolerance, co
 /// brings GSL along, which the simulation node does not carry.
 void offer_rk8pd(MakeRk8pd make);
 
-/// @throw InputError when the program has not offered it.
+bool offers_rk8pd();
+
+/// nullptr when the program has not offered it.
 std::unique_ptr<Integrator> offered_rk8pd(double tolerance, const Scales& scales);
 
 }  // namespace impact

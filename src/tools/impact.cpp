@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lattice/lammps_data.hpp"
+#include "run/compose.hpp"
 #include "run/forecast.hpp"
 #include "scene/scene_parameters.hpp"
 #include "tools/experiment.hpp"
@@ -75,7 +76,7 @@ FlatTree keys_of(const std::string& scene_file, const std::vector<std::string>& 
 
 void check(const FlatTree& keys) {
   for (const Scene& scene : parse_series(keys)) {
-    if (scene.has_recipes_only()) refuse_if_too_long(scene);
+    refuse_impossible(scene);
   }
 }
 

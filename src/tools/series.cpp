@@ -20,7 +20,6 @@
 #include "mechanics/threads.hpp"
 #include "run/compose.hpp"
 #include "run/energy_monitor.hpp"
-#include "run/forecast.hpp"
 #include "tools/experiment.hpp"
 #include "tools/side_by_side.hpp"
 
@@ -223,7 +222,7 @@ void simulate_tasks(std::vector<Task> tasks, SharedBodies first, SeriesFile& fil
 std::vector<Row> run_series(const std::vector<Scene>& scenes, const std::filesystem::path& file,
                             const SeriesOptions& options) {
   for (const Scene& scene : scenes) {
-    if (scene.has_recipes_only()) refuse_if_too_long(scene);
+    refuse_impossible(scene);
   }
   SeriesFile rows(file, scenes);
   std::vector<Task> tasks = missing_tasks(rows, options.jobs);

@@ -44,6 +44,8 @@ TEST(ImpactAnalysis, ComparesTheMotionBeforeAndAfter) {
   EXPECT_EQ(result.restitution, 0.75);
   EXPECT_EQ(result.tangential_velocity_after, 0.25);
   EXPECT_DOUBLE_EQ(result.spin_after, -0.5);
+  // 1.5² + 0.25² and, with the moment of inertia 2, 2·0.5², over 2².
+  EXPECT_DOUBLE_EQ(result.energy_restitution, std::sqrt((2.25 + 0.0625 + 0.5) / 4.0));
   EXPECT_EQ(result.peak_force, 2.0);
   EXPECT_DOUBLE_EQ(result.impulse, 2.0);
   // 2·10⁻³ is crossed one thousandth of the way up and down, linearly from and to zero.

@@ -30,7 +30,7 @@ SMALL_ABSORBING_WALL = {'disk.points': 120, 'wall.points': 140, 'impact.velocity
 ENDLESS_COLLISION = {'disk.points': 300, 'impact.velocity': 0.001}
 
 IMPACT_RESULTS = ('restitution', 'contact_begin', 'contact_end', 'contact_duration', 'peak_force',
-                  'impulse', 'spin_after', 'tangential_velocity_after')
+                  'impulse', 'spin_after', 'energy_restitution', 'tangential_velocity_after')
 
 
 def program(name):
