@@ -51,12 +51,6 @@ Vector weights_of(const std::vector<DataPoint>& points) {
   return weights;
 }
 
-Fit declined(const std::string& reason) {
-  Fit fit;
-  fit.declined = reason;
-  return fit;
-}
-
 /// Standard errors are scaled by the scatter, √(χ²/(n − p)).
 Fit least_squares(const std::vector<DataPoint>& points, const Law& law,
                   const std::vector<double>& start) {
@@ -164,6 +158,12 @@ std::vector<double> restitution_start(const std::vector<DataPoint>& points) {
 }
 
 }  // namespace
+
+Fit declined(const std::string& reason) {
+  Fit fit;
+  fit.declined = reason;
+  return fit;
+}
 
 Fit fit_hertz(const std::vector<DataPoint>& points, const ElasticDisk& disk) {
   if (points.size() < 2) return declined("fewer than two points");

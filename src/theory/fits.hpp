@@ -31,6 +31,9 @@ struct Fit {
   std::size_t points = 0;
 };
 
+/// No fit, for this reason.
+Fit declined(const std::string& reason);
+
 /// Fits b of eq. (2) to points (P, ξ).
 Fit fit_hertz(const std::vector<DataPoint>& points, const ElasticDisk& disk);
 

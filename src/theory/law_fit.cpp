@@ -18,12 +18,6 @@ std::vector<DataPoint> weighted_by_runs(const std::vector<MeanPoint>& points) {
   return data;
 }
 
-Fit declined(const std::string& reason) {
-  Fit fit;
-  fit.declined = reason;
-  return fit;
-}
-
 void set_fit(LawFit& law, const Fit& fit) {
   law.fit = fit;
   for (std::size_t k = 0; k < fit.parameters.size(); ++k) {

@@ -24,7 +24,7 @@ using Sample =
 using Parameters = std::vector<Parameter<Scene>>;
 using Group = std::vector<const Row*>;
 using Line = std::vector<std::string>;
-using Table = std::vector<Line>;
+using Lines = std::vector<Line>;
 
 std::vector<std::string> main_results(SceneKind kind) {
   if (kind == SceneKind::kCollision) return {"restitution", "contact_duration"};
@@ -117,8 +117,8 @@ Line header(const Parameters& parameters) {
   return line;
 }
 
-Table table_of_runs(const std::vector<Row>& rows, const Parameters& parameters) {
-  Table table{header(parameters)};
+Lines table_of_runs(const std::vector<Row>& rows, const Parameters& parameters) {
+  Lines table{header(parameters)};
   const auto results = main_results(rows);
   table[0].insert(table[0].end(), results.begin(), results.end());
   table[0].push_back("flags");
@@ -131,8 +131,8 @@ Table table_of_runs(const std::vector<Row>& rows, const Parameters& parameters) 
   return table;
 }
 
-Table table_of_means(const std::vector<Row>& rows, const Parameters& parameters) {
-  Table table{header(parameters)};
+Lines table_of_means(const std::vector<Row>& rows, const Parameters& parameters) {
+  Lines table{header(parameters)};
   table[0].push_back("runs");
   for (const std::string& key : main_results(rows)) {
     table[0].push_back(key);
@@ -151,7 +151,7 @@ Table table_of_means(const std::vector<Row>& rows, const Parameters& parameters)
 }
 
 /// Right-aligned columns.
-std::string aligned(const Table& table) {
+std::string aligned(const Lines& table) {
   std::vector<std::size_t> widths(table[0].size(), 0);
   for (const Line& line : table) {
     for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());

@@ -70,34 +70,36 @@ TEST(Placement, UniformPointsAreUniform) {
   EXPECT_NEAR(points.col(1).mean(), 0.0, 2.0 * five_sigma);
 }
 
-constexpr double kWidth = 2.69;
-constexpr double kHeight = 1.35;
+constexpr double kRectangleWidth = 2.69;
+constexpr double kRectangleHeight = 1.35;
 
 class EveryRectangle : public testing::TestWithParam<PlacementRecipe> {};
 
 TEST_P(EveryRectangle, IsFilledWithNPoints) {
-  const PointArray points = place_in_rectangle(GetParam(), kWidth, kHeight, 3);
+  const PointArray points = place_in_rectangle(GetParam(), kRectangleWidth, kRectangleHeight, 3);
   EXPECT_EQ(points.rows(), GetParam().points);
-  EXPECT_LE(points.col(0).abs().maxCoeff(), kWidth / 2.0);
-  EXPECT_LE(points.col(1).abs().maxCoeff(), kHeight / 2.0);
+  EXPECT_LE(points.col(0).abs().maxCoeff(), kRectangleWidth / 2.0);
+  EXPECT_LE(points.col(1).abs().maxCoeff(), kRectangleHeight / 2.0);
 }
 
 TEST_P(EveryRectangle, DependsOnTheSeedAlone) {
-  const PointArray points = place_in_rectangle(GetParam(), kWidth, kHeight, 3);
-  EXPECT_TRUE((points == place_in_rectangle(GetParam(), kWidth, kHeight, 3)).all());
-  EXPECT_FALSE((points == place_in_rectangle(GetParam(), kWidth, kHeight, 4)).all());
+  const PointArray points = place_in_rectangle(GetParam(), kRectangleWidth, kRectangleHeight, 3);
+  EXPECT_TRUE(
+      (points == place_in_rectangle(GetParam(), kRectangleWidth, kRectangleHeight, 3)).all());
+  EXPECT_FALSE(
+      (points == place_in_rectangle(GetParam(), kRectangleWidth, kRectangleHeight, 4)).all());
 }
 
 /// The sides are found by comparison, so their points lie on them exactly.
 TEST_P(EveryRectangle, HasItsRimExactlyOnItsSides) {
-  const PointArray points = place_in_rectangle(GetParam(), kWidth, kHeight, 3);
-  const double spacing = std::sqrt(kWidth * kHeight / GetParam().points);
-  const auto on_row = GetParam().rim ? std::lround(kWidth / spacing) + 1 : 0;
-  const auto on_column = GetParam().rim ? std::lround(kHeight / spacing) + 1 : 0;
-  EXPECT_EQ((points.col(1) == kHeight / 2.0).count(), on_row);
-  EXPECT_EQ((points.col(1) == -kHeight / 2.0).count(), on_row);
-  EXPECT_EQ((points.col(0) == kWidth / 2.0).count(), on_column);
-  EXPECT_EQ((points.col(0) == -kWidth / 2.0).count(), on_column);
+  const PointArray points = place_in_rectangle(GetParam(), kRectangleWidth, kRectangleHeight, 3);
+  const double spacing = std::sqrt(kRectangleWidth * kRectangleHeight / GetParam().points);
+  const auto on_row = GetParam().rim ? std::lround(kRectangleWidth / spacing) + 1 : 0;
+  const auto on_column = GetParam().rim ? std::lround(kRectangleHeight / spacing) + 1 : 0;
+  EXPECT_EQ((points.col(1) == kRectangleHeight / 2.0).count(), on_row);
+  EXPECT_EQ((points.col(1) == -kRectangleHeight / 2.0).count(), on_row);
+  EXPECT_EQ((points.col(0) == kRectangleWidth / 2.0).count(), on_column);
+  EXPECT_EQ((points.col(0) == -kRectangleWidth / 2.0).count(), on_column);
 }
 
 INSTANTIATE_TEST_SUITE_P(Placement, EveryRectangle,
@@ -118,18 +120,20 @@ TEST(PlacementInARectangle, SpacesItsRimEvenly) {
 
 TEST(PlacementInARectangle, BlueNoiseKeepsItsDistance) {
   for (const bool rim : {true, false}) {
-    const PointArray points =
-        place_in_rectangle({1269, Placement::kBlueNoise, rim}, kWidth, kHeight, 5);
-    EXPECT_GE(shortest_distance(points), 0.6 * std::sqrt(kWidth * kHeight / 1269));
+    const PointArray points = place_in_rectangle({1269, Placement::kBlueNoise, rim},
+                                                 kRectangleWidth, kRectangleHeight, 5);
+    EXPECT_GE(shortest_distance(points),
+              0.6 * std::sqrt(kRectangleWidth * kRectangleHeight / 1269));
   }
 }
 
 /// Uniform points: the mean of x/width is 0 ± 1/√(12 N); that of its square is 1/12 ± 1/√(180 N).
 TEST(PlacementInARectangle, UniformPointsAreUniform) {
   const int n = 100000;
-  PointArray points = place_in_rectangle({n, Placement::kUniform, false}, kWidth, kHeight, 5);
-  points.col(0) /= kWidth;
-  points.col(1) /= kHeight;
+  PointArray points =
+      place_in_rectangle({n, Placement::kUniform, false}, kRectangleWidth, kRectangleHeight, 5);
+  points.col(0) /= kRectangleWidth;
+  points.col(1) /= kRectangleHeight;
   for (const int column : {0, 1}) {
     EXPECT_NEAR(points.col(column).mean(), 0.0, 5.0 / std::sqrt(12.0 * n));
     EXPECT_NEAR(points.col(column).square().mean(), 1.0 / 12.0, 5.0 / std::sqrt(180.0 * n));
@@ -146,22 +150,23 @@ TEST(PlacementInARectangle, RefusesARimThatNeedsMorePoints) {
 TEST(PlacementInAPeriodicRectangle, BlueNoiseKeepsItsDistanceAcrossTheSides) {
   const int n = 600;
   const PointArray points =
-      place_in_periodic_rectangle(n, Placement::kBlueNoise, kWidth, kHeight, 5);
-  EXPECT_LE(points.col(0).abs().maxCoeff(), kWidth / 2.0);
-  EXPECT_LE(points.col(1).abs().maxCoeff(), kHeight / 2.0);
+      place_in_periodic_rectangle(n, Placement::kBlueNoise, kRectangleWidth, kRectangleHeight, 5);
+  EXPECT_LE(points.col(0).abs().maxCoeff(), kRectangleWidth / 2.0);
+  EXPECT_LE(points.col(1).abs().maxCoeff(), kRectangleHeight / 2.0);
   PointArray tiled(9 * n, 2);
   for (int image = 0; image < 9; ++image) {
-    tiled.middleRows(n * image, n).col(0) = points.col(0) + kWidth * (image % 3);
-    tiled.middleRows(n * image, n).col(1) = points.col(1) + kHeight * (image / 3);
+    tiled.middleRows(n * image, n).col(0) = points.col(0) + kRectangleWidth * (image % 3);
+    tiled.middleRows(n * image, n).col(1) = points.col(1) + kRectangleHeight * (image / 3);
   }
   const double rounding = 1e-14;  // of the images' coordinates
-  EXPECT_GE(shortest_distance(tiled), 0.6 * std::sqrt(kWidth * kHeight / n) - rounding);
+  EXPECT_GE(shortest_distance(tiled),
+            0.6 * std::sqrt(kRectangleWidth * kRectangleHeight / n) - rounding);
 }
 
 TEST(PlacementInAPeriodicRectangle, DependsOnTheSeedAlone) {
   for (const Placement placement : {Placement::kUniform, Placement::kBlueNoise}) {
     const auto place = [&](std::uint64_t seed) {
-      return place_in_periodic_rectangle(100, placement, kWidth, kHeight, seed);
+      return place_in_periodic_rectangle(100, placement, kRectangleWidth, kRectangleHeight, seed);
     };
     EXPECT_TRUE((place(3) == place(3)).all());
     EXPECT_FALSE((place(3) == place(4)).all());

@@ -5,12 +5,11 @@
 #include <cmath>
 #include <random>
 
+#include "sample_disk.hpp"
 #include "theory/quasi_static.hpp"
 
 namespace impact {
 namespace {
-
-const ElasticDisk kDisk{1.1, 0.27};
 
 std::vector<DataPoint> restitution_data(double d1, double d2, double noise, unsigned seed) {
   std::mt19937_64 random(seed);

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "sample_disk.hpp"
+
 namespace impact {
 namespace {
-
-const ElasticDisk kDisk{1.1, 0.27};
 
 TEST(HertzCompression, ByHand) {
   const double force = M_PI * 1.1 * 0.001;  // P/(πE) = 0.001

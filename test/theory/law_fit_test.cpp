@@ -4,12 +4,11 @@
 
 #include <cmath>
 
+#include "sample_disk.hpp"
 #include "theory/quasi_static.hpp"
 
 namespace impact {
 namespace {
-
-constexpr double kModulus = 1.1;
 
 TEST(MeanPoint, ByHand) {
   const MeanPoint point = mean_point(0.5, {1.0, 2.0, 6.0});

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "sample_disk.hpp"
+
 namespace impact {
 namespace {
-
-constexpr double kModulus = 1.1;
 
 TEST(ContactTime, ByHand) {
   EXPECT_NEAR(sound_speed(kModulus), std::sqrt(M_PI * kModulus), 1e-15);
