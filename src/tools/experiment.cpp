@@ -11,18 +11,6 @@
 namespace impact {
 namespace {
 
-constexpr const char* kHistoryHeader =
-    "time [R/c],strain [R],force [M c^2/R],kinetic [M c^2],bonds [M c^2],wall [M c^2],"
-    "load [M c^2],dissipated [M c^2],wall lattice [M c^2],absorbed [M c^2],hops [M c^2]\n";
-
-/// The line of the present state in history.csv.
-std::string history_line(const Run& run, const Strain& strain, double force) {
-  const EnergyLedger ledger = run.motion().ledger();
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", run.state().time, strain.strain(), force,
-                     ledger.kinetic(), ledger.bonds, ledger.wall, ledger.load, ledger.dissipated,
-                     ledger.wall_lattice, ledger.absorbed, ledger.hops);
-}
-
 /// A quantity that is a real number.
 template <class Number>
 Quantity number(std::string key, Number value) {
@@ -111,13 +99,13 @@ std::vector<Quantity> run_quantities() {
 }  // namespace
 
 Experiment::Experiment(const Scene& scene, std::shared_ptr<const Composition> composition,
-                       MakeRun make_run, bool keep_history)
+                       MakeRun make_run, History* history)
     : scene_(scene),
       composition_(std::move(composition)),
       make_run_(std::move(make_run)),
       control_(scene, *composition_),
       strain_meter_(composition_->bodies->disk.points),
-      keep_history_(keep_history) {
+      history_(history) {
   start_run();
 }
 
@@ -131,7 +119,7 @@ void Experiment::start_run() {
     return;
   }
   run_.emplace(scene_, composition_, control_.resolution());
-  if (keep_history_) history_ = kHistoryHeader;
+  if (history_ != nullptr) history_->start();
   take_in();
 }
 
@@ -143,7 +131,7 @@ void Experiment::advance(const std::function<bool()>& stop) {
     start_run();
     return;
   }
-  if (keep_history_ || run_->finished()) take_in();
+  if (history_ != nullptr || run_->finished()) take_in();
   if (run_->finished()) end_run();
 }
 
@@ -167,10 +155,10 @@ void Experiment::end_run() {
 }
 
 void Experiment::take_in() {
-  const ContactReport report = run_->take_contact_reports().on_disk;
+  const ContactReports reports = run_->take_contact_reports();
   analysis_.add(run_->disk_state());
-  analysis_.add(report);
-  if (!history_.empty()) history_ += history_line(*run_, strain(), report.total.y());
+  analysis_.add(reports.on_disk);
+  if (history_ != nullptr) history_->add(*run_, strain(), reports);
 }
 
 Restitution Experiment::restitution_of_run() const {

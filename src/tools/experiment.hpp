@@ -13,25 +13,27 @@
 #include "run/error_control.hpp"
 #include "run/run.hpp"
 #include "scene/parameter_table.hpp"
+#include "tools/history.hpp"
 
 namespace impact {
 
 /// Simulates and measures one scene, in as many runs as its error control asks for.
 class Experiment {
  public:
+  /// `history`: takes in the states at the output times; outlives the experiment.
   /// @throw InputError as compose().
-  explicit Experiment(const Scene& scene, bool keep_history = false)
-      : Experiment(scene, compose_shared(scene), keep_history) {}
+  explicit Experiment(const Scene& scene, History* history = nullptr)
+      : Experiment(scene, compose_shared(scene), history) {}
   /// `composition`: of the scene.
   Experiment(const Scene& scene, std::shared_ptr<const Composition> composition,
-             bool keep_history = false)
-      : Experiment(scene, std::move(composition), {}, keep_history) {}
+             History* history = nullptr)
+      : Experiment(scene, std::move(composition), {}, history) {}
 
   using MakeRun = std::function<Run(const Resolution&)>;
   /// Of runs that are moved from outside: then observe_step() is called, not advance(). They may
   /// have gone on before they are asked for.
   Experiment(const Scene& scene, std::shared_ptr<const Composition> composition, MakeRun make_run)
-      : Experiment(scene, std::move(composition), std::move(make_run), false) {}
+      : Experiment(scene, std::move(composition), std::move(make_run), nullptr) {}
 
   /// Goes on as Run::advance() and takes in what the measurements need; at the end of a run that is
   /// not accurate enough, starts the next one.
@@ -70,12 +72,9 @@ class Experiment {
   /// Replaces the time since construction by this one (s).
   void set_wall_time(double time) { given_wall_time_ = time; }
 
-  /// The content of history.csv: strain, wall force and energies at the output times.
-  const std::string& history() const { return history_; }
-
  private:
   Experiment(const Scene& scene, std::shared_ptr<const Composition> composition, MakeRun make_run,
-             bool keep_history);
+             History* history);
 
   void start_run();
   void end_run();
@@ -90,8 +89,7 @@ class Experiment {
   std::optional<Run> run_;
   StrainMeter strain_meter_;
   ImpactAnalysis analysis_;
-  bool keep_history_;
-  std::string history_;
+  History* history_;  ///< nullptr: nobody wants it
   std::optional<double> given_wall_time_;
   bool finished_ = false;
 };

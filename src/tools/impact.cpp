@@ -14,6 +14,7 @@
 #include "run/forecast.hpp"
 #include "scene/scene_parameters.hpp"
 #include "tools/experiment.hpp"
+#include "tools/interruption.hpp"
 #include "tools/output_folder.hpp"
 #include "tools/program.hpp"
 #include "tools/reference_integrator.hpp"
@@ -28,7 +29,8 @@ void perform(Experiment& experiment) {
   const bool show_progress = isatty(STDERR_FILENO) != 0;
   Clock::time_point last_progress = Clock::now();
   while (!experiment.finished()) {
-    experiment.advance();
+    experiment.advance(interrupted);
+    if (interrupted()) throw std::runtime_error("interrupted");
     if (show_progress && Clock::now() - last_progress > kRedraw) {
       last_progress = Clock::now();
       const Run& run = experiment.run();
@@ -53,14 +55,23 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   if (!file.flush()) throw std::runtime_error(fmt::format("{} cannot be written", path.string()));
 }
 
-void write_result(const Experiment& experiment, const std::string& result,
-                  const std::filesystem::path& folder) {
-  ResultFiles files(folder,
-                    {"result.yaml", "scene.yaml", "history.csv", "lattice.data", "wall.data"});
+/// Where the results go; removes what is unfinished at its end.
+struct Output {
+  explicit Output(const std::string& path)
+      : folder(path),
+        files(path,
+              {"result.yaml", "scene.yaml", "history.csv", "lattice.data", "wall.data", kStates}) {}
+  static constexpr const char* kStates = "states.lammpstrj";
+  OutputFolder folder;
+  ResultFiles files;
+};
+
+void write_result(const Experiment& experiment, const std::string& result, const History& history,
+                  ResultFiles& files) {
   const double mass = experiment.run().motion().field().point_mass;
   write_file(files.beside("result.yaml"), result);
   write_file(files.beside("scene.yaml"), to_yaml(experiment.scene()));
-  write_file(files.beside("history.csv"), experiment.history());
+  write_file(files.beside("history.csv"), history.csv());
   write_lammps_data(experiment.run().lattice(), mass, files.beside("lattice.data"));
   if (const Lattice* const wall = experiment.run().wall_lattice()) {
     write_lammps_data(*wall, mass, files.beside("wall.data"));
@@ -80,20 +91,28 @@ void check(const FlatTree& keys) {
   }
 }
 
-void perform(const FlatTree& keys, const std::string& folder) {
+void perform(const FlatTree& keys, const std::string& folder, bool keep_states) {
+  if (keep_states && folder.empty()) throw InputError("--states needs --output");
   for (const auto& [key, value] : keys) {
     if (value.IsSequence()) throw bad_value(key, one_line(value), "one value; sweep takes several");
   }
   const Scene scene = parse_scene(keys);
-  Experiment experiment(scene, !folder.empty());
-  std::optional<OutputFolder> output;
-  if (!folder.empty()) output.emplace(folder);
+  std::optional<Output> output;
+  std::optional<History> history;
+  if (!folder.empty()) {
+    take_interruptions();
+    output.emplace(folder);
+    history.emplace(keep_states ? output->files.beside(Output::kStates) : "");
+  }
+  Experiment experiment(scene, history ? &*history : nullptr);
   tell_if_long(experiment);
   perform(experiment);
 
   const std::string result = YAML::Dump(experiment.result()) + "\n";
   fmt::print("{}", result);
-  if (output) write_result(experiment, result, output->path());
+  if (!output) return;
+  history->close();
+  write_result(experiment, result, *history, output->files);
 }
 
 }  // namespace
@@ -106,14 +125,17 @@ int main(int argc, char** argv) {
   std::vector<std::string> assignments;
   std::string folder;
   bool check_only = false;
+  bool keep_states = false;
   app.add_option("scene", scene_file, "scene file, like launch/scenes/collision.yaml")->required();
   app.add_option("assignments", assignments, "key=value, replaces that key of the scene");
   app.add_flag("--check", check_only,
                "only say whether the scene can be read; a list of values is a series");
   app.add_option("--output", folder,
                  "folder for result.yaml, scene.yaml, history.csv, lattice.data and wall.data");
+  app.add_flag("--states", keep_states,
+               "also all states at the output times, into states.lammpstrj, a LAMMPS dump");
   return impact::run_tool(app, argc, argv, [&] {
     const impact::FlatTree keys = impact::keys_of(scene_file, assignments);
-    check_only ? impact::check(keys) : impact::perform(keys, folder);
+    check_only ? impact::check(keys) : impact::perform(keys, folder, keep_states);
   });
 }
