@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstddef>
+
 #include "run/run.hpp"
 #include "tools/reproduction.hpp"
 #include "tools/table.hpp"
@@ -7,22 +10,33 @@
 namespace impact {
 namespace {
 
-void add_bonds(const Lattice& lattice, Eigen::Index first_row, Table& bonds) {
-  for (const Bond& bond : lattice.bonds) {
-    bonds << fmt::format("{}", bond.first + first_row)
-          << fmt::format("{}", bond.second + first_row);
+/// The bonds of one body with their strains; its points are the rows from `first_row` on.
+void add_bonds(const Lattice& lattice, const PointArray& position, Eigen::Index first_row,
+               Table& bonds) {
+  for (std::size_t k = 0; k < lattice.bonds.size(); ++k) {
+    const Eigen::Index first = lattice.bonds[k].first + first_row;
+    const Eigen::Index second = lattice.bonds[k].second + first_row;
+    const double length = std::sqrt((position.row(second) - position.row(first)).square().sum());
+    bonds << fmt::format("{}", first) << fmt::format("{}", second)
+          << length / lattice.natural_lengths[k] - 1.0;
   }
 }
 
-void write_drawing(const Run& run, const std::filesystem::path& folder, const std::string& name) {
-  Table points({"x", "y"});
-  for (Eigen::Index i = 0; i < run.state().position.rows(); ++i) {
-    points << run.state().position(i, 0) << run.state().position(i, 1);
+/// Points with the force of the wall on the disk, and bonds.
+void write_drawing(Run& run, const std::filesystem::path& folder, const std::string& name) {
+  const PointArray& position = run.state().position;
+  PointArray force = PointArray::Zero(position.rows(), 2);
+  for (const PointForce& contact : run.take_contact_reports().on_disk.points) {
+    force.row(contact.point) = contact.force.transpose();
   }
-  Table bonds({"first", "second"});
-  add_bonds(run.lattice(), 0, bonds);
+  Table points({"x", "y", "fx", "fy"});
+  for (Eigen::Index i = 0; i < position.rows(); ++i) {
+    points << position(i, 0) << position(i, 1) << force(i, 0) << force(i, 1);
+  }
+  Table bonds({"first", "second", "strain"});
+  add_bonds(run.lattice(), position, 0, bonds);
   if (run.wall_lattice() != nullptr) {
-    add_bonds(*run.wall_lattice(), run.lattice().points.rows(), bonds);
+    add_bonds(*run.wall_lattice(), position, run.lattice().points.rows(), bonds);
   }
   points.write(folder / (name + "_points.csv"));
   bonds.write(folder / (name + "_bonds.csv"));

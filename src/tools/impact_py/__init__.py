@@ -1,0 +1,1 @@
+"""What plot_impact, plot_sweep, plot_figures and convert are made of."""

@@ -1,0 +1,2 @@
+"""The figures of the report, from the CSV files of `reproduce`, `work_precision` and
+`accuracy_check`."""
