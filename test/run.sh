@@ -2,6 +2,7 @@
 # Installs and builds what is missing, then runs all tests.
 #   --strict              also the checks of the sources: compiler warnings as errors, clang-format,
 #                         clang-tidy and catkin_lint
+#   --package             also the Debian package in a fresh minimal system (mmdebstrap)
 #   --sanitize address    only the unit tests, with assertions, AddressSanitizer and UBSan
 #   --sanitize thread     only those of series on several threads, with ThreadSanitizer
 #   --fuzz SECONDS        only the fuzzers (libFuzzer), each for so long
@@ -60,6 +61,9 @@ case "${1:-}" in
   --strict)
     install clang-format clang-tidy catkin-lint
     all_tests ON ;;
+  --package)
+    install mmdebstrap
+    all_tests OFF ;;
   --sanitize)
     case "${2:-}" in
       address)
@@ -75,6 +79,6 @@ case "${1:-}" in
     use_package
     test/faults/faults.py --seconds "${2:-60}" ;;
   *)
-    echo "got '$1', allowed: --strict, --sanitize, --fuzz or --faults" >&2
+    echo "got '$1', allowed: --strict, --package, --sanitize, --fuzz or --faults" >&2
     exit 2 ;;
 esac

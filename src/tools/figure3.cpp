@@ -79,6 +79,34 @@ void add_lines(const Wall& wall, std::size_t k, const Measured& measured, double
   }
 }
 
+/// Where the part 1 − e² of the energy went: into the turning disk, into damping, and the rest into
+/// vibrations.
+Row with_losses(Row row) {
+  const double e = row.results.at("restitution");
+  const double loss = 1.0 - e * e;
+  const double spin = std::pow(row.results.at("energy_restitution"), 2) - e * e;
+  const double damping = 2.0 * row.results.at("dissipated") / std::pow(speed_of(row.scene), 2);
+  row.results["loss"] = loss;
+  row.results["spin"] = spin;
+  row.results["damping"] = damping;
+  row.results["vibration"] = loss - spin - damping;
+  return row;
+}
+
+void add_losses(const Wall& wall, double eta, const std::vector<Row>& rows, Table& table) {
+  std::vector<Row> divided;
+  divided.reserve(rows.size());
+  for (const Row& row : rows) divided.push_back(has_failed(row) ? row : with_losses(row));
+  std::vector<std::vector<MeanPoint>> curves;
+  for (const char* part : {"loss", "spin", "damping", "vibration"}) {
+    curves.push_back(mean_curve(ensemble(divided, speed_of, part)));
+  }
+  for (std::size_t i = 0; i < curves[0].size(); ++i) {
+    table << wall.a << eta << curves[0][i].x << fmt::format("{}", curves[0][i].runs);
+    for (const auto& curve : curves) table << curve[i].y << curve[i].standard_error;
+  }
+}
+
 /// τ₀ over η/k_a at the smallest viscosity and the greatest speed, where the wall counts least.
 double measured_time_by_bond_time(const Wall& wall, const Measured& measured, double modulus) {
   return dissipation_times(mean_curve(measured.restitution[1]), mean_curve(measured.restitution[0]),
@@ -99,6 +127,8 @@ void reproduce_figure3(const Reproduction& reproduction, const Material& materia
                "restitution_error", "fit", "contact_duration", "contact_duration_theory",
                "dissipation_time", "dissipation_time_by_eta_by_k_a", "dissipation_time_used", "ode",
                "ode_to_contact_time", "ode_paper_modulus", "closed_form"});
+  Table losses({"wall_a", "eta", "velocity", "lattices", "loss", "loss_error", "spin", "spin_error",
+                "damping", "damping_error", "vibration", "vibration_error"});
   Table fits = fit_table();
   const std::size_t speeds = at_all_speeds({}).size();
   std::size_t first = 0;
@@ -108,6 +138,7 @@ void reproduce_figure3(const Reproduction& reproduction, const Material& materia
       const std::vector<Row> rows_of_curve = every(rows, first, speeds, scenes.size());
       measured.restitution.push_back(ensemble(rows_of_curve, speed_of, "restitution"));
       measured.duration.push_back(ensemble(rows_of_curve, speed_of, "contact_duration"));
+      add_losses(wall, wall.viscosity[k], rows_of_curve, losses);
     }
     const double time = measured_time_by_bond_time(wall, measured, disk.young_modulus);
     for (std::size_t k = 0; k < wall.viscosity.size(); ++k) {
@@ -117,6 +148,7 @@ void reproduce_figure3(const Reproduction& reproduction, const Material& materia
     }
   }
   table.write(reproduction.folder / "figure3.csv");
+  losses.write(reproduction.folder / "figure3_losses.csv");
   fits.write(reproduction.folder / "figure3_fits.csv");
 }
 

@@ -1,0 +1,25 @@
+# cpack --config build/CPackConfig.cmake: a package of Debian 12 that needs no compiler.
+
+# The package's folders are the system's, which needs none of the files that make a workspace of a
+# prefix.
+file(WRITE ${CMAKE_BINARY_DIR}/leave_out_workspace.cmake [[
+file(GLOB files ${CPACK_TEMPORARY_DIRECTORY}/usr/*setup* ${CPACK_TEMPORARY_DIRECTORY}/usr/env.sh
+  ${CPACK_TEMPORARY_DIRECTORY}/usr/.catkin ${CPACK_TEMPORARY_DIRECTORY}/usr/.rosinstall)
+file(REMOVE ${files})
+]])
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME ros-lattice-impact)
+set(CPACK_PACKAGE_VERSION ${lattice_impact_VERSION})
+set(CPACK_PACKAGE_CONTACT "lattice_impact maintainers <maintainers@users.noreply.github.com>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "simulates the impact of a soft elastic disk on a wall")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_BINARY_DIR}/leave_out_workspace.cmake)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3-rosbag, python3-roslaunch, python3-std-msgs, rosbash")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-matplotlib, python3-numpy")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, rviz")
+include(CPack)
