@@ -4,11 +4,13 @@ from itertools import cycle
 
 import numpy as np
 from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 from matplotlib.ticker import MultipleLocator
 
 from ..program import InputError
-from ..style import (BLACK, BLUE, GREY, MARKERS, ONE_COLUMN, TWO_COLUMNS, VERMILION, label_panel,
-                     legend_beside, letter, marker_style, panels, plt, save_both, ticks)
+from ..style import (BLACK, BLUE, GREY, MARKERS, ONE_COLUMN, ORANGE, SKY, TWO_COLUMNS, VERMILION,
+                     label_panel, legend_beside, letter, marker_style, panels, plt, save_both,
+                     ticks)
 from ..tables import read_table
 from .axes import draw_restitution, sound_speed_axis, speed_axis
 
@@ -89,6 +91,7 @@ def figure3(folder):
     save_both(figure, folder, "figure3")
     figure3_dissipation(folder, table)
     figure3_duration(folder, table)
+    figure3_losses(folder)
 
 
 DISSIPATION = "dissipation_time_by_eta_by_k_a"
@@ -160,3 +163,29 @@ def figure3_duration(folder, table):
     ax.set_ylim(0, None)
     ax.legend()
     save_both(figure, folder, "figure3_duration")
+
+
+PARTS = {"spin": SKY, "vibration": ORANGE, "damping": GREY}
+
+
+def figure3_losses(folder):
+    """Where the loss 1 − e² goes, in shares, against speed on the softer wall."""
+    table = read_table(folder / "figure3_losses.csv")
+    on_wall = table.where("wall_a", min(table["wall_a"]))
+    etas = [eta for eta in (0, 1, 10) if eta in on_wall["eta"]]
+    figure, (axes,) = panels(TWO_COLUMNS, 0.34 * TWO_COLUMNS, columns=len(etas), sharey=True)
+    for ax, eta in zip(axes, etas):
+        curve = on_wall.where("eta", eta)
+        shares = [curve[part] / curve["loss"] for part in PARTS]
+        ax.stackplot(curve["velocity"], shares, colors=PARTS.values(), linewidth=0)
+        for boundary in np.cumsum(shares, axis=0)[:-1]:
+            ax.plot(curve["velocity"], boundary, color="white", linewidth=0.6)
+        speed_axis(ax, [0.003, 0.01, 0.05])
+        ax.set_xlim(min(curve["velocity"]), max(curve["velocity"]))
+        ax.set_ylim(0, 1)
+        ax.set_xlabel("$v/c$")
+        ax.set_title(rf"$\eta^* = {eta:g}$")
+    axes[0].set_ylabel("share of $1 - e^2$")
+    letter(axes)
+    legend_beside(axes[-1], [Patch(color=colour, label=part) for part, colour in PARTS.items()])
+    save_both(figure, folder, "figure3_losses")
