@@ -28,13 +28,13 @@ Scene contact(double load) {
 }
 
 /// The same loads for each reading of the model that is compared.
-struct Case {
+struct ContactCase {
   const char* name;
   Scene scene;
 };
 
-std::vector<Case> cases() {
-  std::vector<Case> all;
+std::vector<ContactCase> contact_cases() {
+  std::vector<ContactCase> all;
   const auto add = [&all](const char* name) -> Scene& {
     all.push_back({name, contact(kLoads.back())});
     return all.back().scene;
@@ -179,9 +179,9 @@ void write_pressure(const Reproduction& reproduction, const ElasticDisk& disk) {
 }  // namespace
 
 void reproduce_figure2(const Reproduction& reproduction, const Material& material) {
-  const std::vector<Case> all = cases();
+  const std::vector<ContactCase> all = contact_cases();
   std::vector<Scene> scenes;
-  for (const Case& one : all) {
+  for (const ContactCase& one : all) {
     const std::vector<Scene> loads = loaded(one.scene);
     scenes.insert(scenes.end(), loads.begin(), loads.end());
   }

@@ -12,7 +12,7 @@
 namespace impact {
 namespace {
 
-struct BoundaryCase {
+struct WallCase {
   std::string name;
   Scene scene;
 };
@@ -24,8 +24,8 @@ Scene on_elastic_wall(Boundary boundary) {
   return scene;
 }
 
-std::vector<BoundaryCase> boundary_cases() {
-  std::vector<BoundaryCase> all;
+std::vector<WallCase> wall_cases() {
+  std::vector<WallCase> all;
   for (const double interval : {0.004, 0.001, 0.002, 0.008, 0.016}) {
     all.push_back({fmt::format("reset {}", interval), on_elastic_wall(Boundary::kReset)});
     all.back().scene.wall.reset_interval = interval;
@@ -45,7 +45,7 @@ double largest(const Ensemble& curves, std::size_t place) {
   return value;
 }
 
-void add_lines(const BoundaryCase& one, const Ensemble& curves, const Ensemble& hops,
+void add_lines(const WallCase& one, const Ensemble& curves, const Ensemble& hops,
                const ElasticDisk& disk, Table& table) {
   const double c = sound_speed(disk.young_modulus);
   const std::vector<MeanPoint> curve = mean_curve(curves);
@@ -64,9 +64,9 @@ void add_lines(const BoundaryCase& one, const Ensemble& curves, const Ensemble& 
 }  // namespace
 
 void reproduce_figure6(const Reproduction& reproduction, const Material& material) {
-  const std::vector<BoundaryCase> all = boundary_cases();
+  const std::vector<WallCase> all = wall_cases();
   std::vector<Scene> scenes;
-  for (const BoundaryCase& one : all) {
+  for (const WallCase& one : all) {
     for (const Scene& scene : at_all_speeds(one.scene)) scenes.push_back(scene);
   }
   const std::vector<Row> rows =

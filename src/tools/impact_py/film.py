@@ -43,8 +43,10 @@ class Film:
         disk = recording.disk_rows
         peak = max(np.max(np.hypot(*state.force[:disk].T)) for state in states)
         self.figure, self.ax = plt.subplots(figsize=(SIZE, SIZE), constrained_layout=True)
-        self.drawing = LatticeDrawing(self.ax, recording.bonds(),
-                                      strain_limit(np.concatenate(self.strains)), peak)
+        bonds = recording.bonds()
+        thick_if_few = min(1.5, 0.7 * math.sqrt(3000 / len(bonds)))
+        self.drawing = LatticeDrawing(self.ax, bonds, strain_limit(np.concatenate(self.strains)),
+                                      peak, thick_if_few)
         strain_bar(self.figure, self.drawing, self.ax)
         self.ax.set_xlabel("$x/R$")
         self.ax.set_ylabel("$y/R$")
