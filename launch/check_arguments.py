@@ -4,6 +4,7 @@ an argument is wrong, roslaunch ends with one line and exit code 2.
 `launch_file` is the path of that file, `argument(name)` the value of one of its arguments.
 """
 
+import difflib
 import os
 import re
 import subprocess
@@ -31,7 +32,10 @@ def check_names(declared):
     for word in sys.argv[1:]:
         name = re.match('([A-Za-z]\\w*):=', word)
         if name and name[1] not in declared:
-            refuse('{}: unknown argument, allowed: {}'.format(name[1], ', '.join(declared)))
+            near = difflib.get_close_matches(name[1], declared, 1)
+            refuse('{}: unknown argument{}, allowed: {}'.format(
+                name[1], ' (did you mean {}?)'.format(near[0]) if near else '',
+                ', '.join(declared)))
         if word == 'bag:=':
             refuse_no_bag()
 

@@ -2,11 +2,12 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace impact {
 
 /// The text with its control characters as \xNN.
-inline std::string without_control_characters(const std::string& text) {
+inline std::string without_control_characters(std::string_view text) {
   constexpr unsigned char kFirstPrintable = 0x20;
   constexpr unsigned char kDelete = 0x7f;
   constexpr const char* kDigits = "0123456789abcdef";
@@ -24,7 +25,7 @@ inline std::string without_control_characters(const std::string& text) {
 
 /// A text from outside as part of a line: without control characters, a long one cut and followed
 /// by its length.
-inline std::string shown(const std::string& text) {
+inline std::string shown(std::string_view text) {
   constexpr std::size_t kLongest = 100;
   if (text.size() <= kLongest) return without_control_characters(text);
   constexpr unsigned char kKindBits = 0xc0;

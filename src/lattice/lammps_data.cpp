@@ -90,7 +90,7 @@ class LineReader {
     char* end = nullptr;
     const double value = std::strtod(word.c_str(), &end);
     if (end != word.c_str() + word.size() || !std::isfinite(value)) {
-      fail(fmt::format("`{}` is not a finite number", shown(std::string(word))));
+      fail(fmt::format("`{}` is not a finite number", shown(word)));
     }
     return value;
   }
@@ -102,10 +102,9 @@ class LineReader {
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size() || value < low || value > high) {
-      fail(high == kLargestId ? fmt::format("{} `{}`, allowed: whole number from {}", what,
-                                            shown(std::string(word)), low)
-                              : fmt::format("{} `{}`, allowed {} … {}", what,
-                                            shown(std::string(word)), low, high));
+      fail(high == kLargestId
+               ? fmt::format("{} `{}`, allowed: whole number from {}", what, shown(word), low)
+               : fmt::format("{} `{}`, allowed {} … {}", what, shown(word), low, high));
     }
     return value;
   }
@@ -285,7 +284,7 @@ class DataFile {
     if (style_->charged) atom.charge = reader_.real(3);
     atom.place = {reader_.real(x), reader_.real(x + 1)};
     if (reader_.real(x + 2) != 0.0) {
-      reader_.fail(fmt::format("z = {}, allowed 0", shown(std::string(reader_.words()[x + 2]))));
+      reader_.fail(fmt::format("z = {}, allowed 0", shown(reader_.words()[x + 2])));
     }
     atom.line = reader_.number();
     if (reader_.words().size() > x + 3) apply_image_flags(x + 3, atom);
@@ -331,8 +330,7 @@ class DataFile {
     const std::int32_t a = index_of(2);
     const std::int32_t b = index_of(3);
     if (a == b) {
-      reader_.fail(
-          fmt::format("atom {} is bonded to itself", shown(std::string(reader_.words()[2]))));
+      reader_.fail(fmt::format("atom {} is bonded to itself", shown(reader_.words()[2])));
     }
     bonds_.push_back({std::min(a, b), std::max(a, b)});
     bond_lines_.push_back(reader_.number());

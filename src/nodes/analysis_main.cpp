@@ -4,7 +4,14 @@
 #include "nodes/program.hpp"
 
 int main(int argc, char** argv) {
-  return impact::run_node(argc, argv, "analysis_node", [] {
+  const impact::NodeDescription description{
+      "analysis_node",
+      "Measures strain and coefficient of restitution of the runs that it hears, and fits the laws "
+      "of contact and impact to a series.",
+      "  in   lattice, particle_states, contact_forces, run_status\n"
+      "  out  strain, restitution, law_fit, acknowledged\n",
+      impact::parameter_list(impact::analysis_node_parameters(), {})};
+  return impact::run_node(argc, argv, description, [] {
     impact::AnalysisNodeParameters parameters;
     impact::read_parameters(impact::analysis_node_parameters(), impact::private_parameters(),
                             parameters);

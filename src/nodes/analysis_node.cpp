@@ -15,16 +15,6 @@ namespace {
 
 constexpr double kPoll = 0.1;  // s
 
-std::string outcome(const lattice_impact::LawFit& law) {
-  std::string text = fmt::format("{} law of {} points", law.law, law.x.size());
-  if (!law.declined.empty()) return fmt::format("{}: not fitted, {}", text, law.declined);
-  for (std::size_t k = 0; k < law.names.size(); ++k) {
-    text +=
-        fmt::format(", {} = {:.6g} +- {:.2g}", law.names[k], law.values[k], law.standard_errors[k]);
-  }
-  return text;
-}
-
 }  // namespace
 
 AnalysisNode::AnalysisNode(const AnalysisNodeParameters& parameters)
@@ -95,15 +85,15 @@ void AnalysisNode::publish(const lattice_impact::Strain& strain) {
 void AnalysisNode::publish(const lattice_impact::Restitution& restitution) {
   publish(restitution_, restitution);
   if (restitution.complete != 0) {
-    ROS_INFO("run %u: velocity %.6g c, restitution %.9g, contact duration %.6g R/c",
+    ROS_INFO("run %u: velocity %.6g c, restitution %.9g +- %.1e, contact duration %.6g R/c",
              restitution.run, -restitution.velocity_before, restitution.restitution,
-             restitution.contact_duration);
+             restitution.error.restitution, restitution.contact_duration);
   }
 }
 
 void AnalysisNode::publish(const lattice_impact::LawFit& law) {
   publish(law_fit_, law);
-  ROS_INFO("run %u: %s", law.run, outcome(law).c_str());
+  if (law.x.size() > 1) ROS_INFO("run %u: %s", law.run, outcome(law).c_str());
 }
 
 void AnalysisNode::acknowledge(std::uint32_t run, std::uint32_t sequence) {

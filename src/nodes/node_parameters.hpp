@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "nodes/disk_elasticity.hpp"
+#include "scene/disk_elasticity.hpp"
 #include "scene/parameter_table.hpp"
 
 namespace impact {

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "lattice/input_error.hpp"
+#include "scene/version.hpp"
 
 namespace impact {
 namespace {
@@ -41,22 +42,40 @@ void find_master(int argc, char** argv) {
   if (!is_there) throw std::runtime_error("no ROS master at " + uri);
 }
 
+/// Whether the arguments ask for it, and then prints it.
+bool tell(int argc, char** argv, const NodeDescription& node) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--version") {
+      fmt::print("{} {}\n", node.name, version());
+      return true;
+    }
+    if (argument == "--help" || argument == "-h") {
+      fmt::print("{}\n\nTopics, below the node's namespace:\n{}\nPrivate parameters:\n{}",
+                 node.purpose, node.topics, node.parameters);
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 bool interrupted() { return signal_received != 0 || !ros::ok(); }
 
-int run_node(int argc, char** argv, const char* name, const std::function<int()>& body) {
+int run_node(int argc, char** argv, const NodeDescription& node, const std::function<int()>& body) {
+  if (tell(argc, argv, node)) return 0;
   try {
     find_master(argc, argv);
-    ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+    ros::init(argc, argv, node.name, ros::init_options::NoSigintHandler);
     std::signal(SIGINT, [](int) { signal_received = 1; });
     std::signal(SIGTERM, [](int) { signal_received = 1; });
     return body();
   } catch (const InputError& error) {
-    fmt::print(stderr, "{}: {}\n", name, error.what());
+    fmt::print(stderr, "{}: {}\n", node.name, error.what());
     return 2;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: {}\n", name, error.what());
+    fmt::print(stderr, "{}: {}\n", node.name, error.what());
     return 1;
   }
 }

@@ -1,16 +1,26 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 namespace impact {
+
+/// What a node says of itself.
+struct NodeDescription {
+  const char* name;
+  const char* purpose;     ///< a sentence or two
+  const char* topics;      ///< a line a topic
+  std::string parameters;  ///< as of parameter_list()
+};
 
 /// True after SIGINT or SIGTERM, or when the ROS master has asked this node to end. A node then
 /// finishes what it has begun and closes its files.
 bool interrupted();
 
-/// Initialises ROS under this node name, with signals handled by interrupted(), runs `body` and
+/// Initialises ROS under the node's name, with signals handled by interrupted(), runs `body` and
 /// returns the exit code of the program: what `body` returns, 2 after an InputError, 1 after any
-/// other exception, without a master at once. An error is one line on stderr.
-int run_node(int argc, char** argv, const char* name, const std::function<int()>& body);
+/// other exception, without a master at once. An error is one line on stderr. With --help or
+/// --version only prints what was asked for, and needs no master.
+int run_node(int argc, char** argv, const NodeDescription& node, const std::function<int()>& body);
 
 }  // namespace impact

@@ -4,7 +4,13 @@
 #include "nodes/recorder_node.hpp"
 
 int main(int argc, char** argv) {
-  return impact::run_node(argc, argv, "recorder_node", [] {
+  const impact::NodeDescription description{
+      "recorder_node", "Records all data and results of a series in a bag, and loses none.",
+      "  in   lattice, particle_states, contact_forces, run_status, those of wall/, strain,\n"
+      "       restitution, law_fit, acknowledged\n"
+      "  out  acknowledged\n",
+      impact::parameter_list(impact::recorder_node_parameters(), {})};
+  return impact::run_node(argc, argv, description, [] {
     impact::RecorderNodeParameters parameters;
     impact::read_parameters(impact::recorder_node_parameters(), impact::private_parameters(),
                             parameters);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "nodes/checksum.hpp"
+#include "scene/keys.hpp"
 #include "scene/scene_parameters.hpp"
 
 namespace impact {

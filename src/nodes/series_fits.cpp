@@ -1,5 +1,7 @@
 #include "nodes/series_fits.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -139,6 +141,16 @@ SeriesFits::DissipationTime SeriesFits::measure_dissipation(const Group& group,
   const auto& [velocity, restitutions] = *group.answers.rbegin();
   return {dissipation_time(young_modulus, velocity, 1.0 - std::pow(mean(restitutions), 2)),
           fmt::format("all loss at v = {} c", velocity)};
+}
+
+std::string outcome(const lattice_impact::LawFit& law) {
+  std::string text = fmt::format("{} law of {} points", law.law, law.x.size());
+  if (!law.declined.empty()) return fmt::format("{}: not fitted, {}", text, law.declined);
+  for (std::size_t k = 0; k < law.names.size(); ++k) {
+    text +=
+        fmt::format(", {} = {:.6g} +- {:.2g}", law.names[k], law.values[k], law.standard_errors[k]);
+  }
+  return text;
 }
 
 }  // namespace impact

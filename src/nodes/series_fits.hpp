@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "nodes/disk_elasticity.hpp"
 #include "nodes/series_analysis.hpp"
+#include "scene/disk_elasticity.hpp"
 #include "scene/scene.hpp"
 
 namespace impact {
@@ -50,5 +50,8 @@ class SeriesFits {
   Output output_;
   std::map<std::string, Group> groups_;  ///< by the keys that their runs share
 };
+
+/// "Hertz law of 5 points, b = 0.92 +- 0.01", or why there is none.
+std::string outcome(const lattice_impact::LawFit& law);
 
 }  // namespace impact

@@ -2,19 +2,27 @@
 #include "nodes/parameter_server.hpp"
 #include "nodes/program.hpp"
 #include "nodes/simulation_node.hpp"
+#include "scene/keys.hpp"
 #include "scene/scene_parameters.hpp"
+#include "scene/short_keys.hpp"
 
 int main(int argc, char** argv) {
-  return impact::run_node(argc, argv, "simulation_node", [] {
+  const impact::NodeDescription description{
+      "simulation_node",
+      "Simulates a scene, or a series of them, and publishes lattice, states and forces.",
+      "  out  lattice, particle_states, contact_forces, run_status; with an elastic wall also\n"
+      "       wall/lattice, wall/particle_states, wall/contact_forces\n"
+      "  in   acknowledged\n",
+      impact::parameter_list(impact::simulation_node_parameters(), {}) +
+          "\nand the keys of a scene: impact collision --keys shows those of collision.yaml.\n"};
+  return impact::run_node(argc, argv, description, [] {
     impact::FlatTree keys = impact::private_parameters();
     impact::SimulationNodeParameters parameters;
     impact::read_parameters(impact::simulation_node_parameters(),
                             impact::take_keys(keys, impact::simulation_node_parameters()),
                             parameters);
     keys.merge(impact::parse_keys(parameters.scene_yaml, "scene_yaml"));
-    for (const std::string& assignment : parameters.assignments) {
-      impact::override_key(keys, assignment);
-    }
+    impact::override_keys(keys, parameters.assignments);
     std::vector<impact::Scene> series = impact::parse_series(
         keys, impact::key_names(impact::simulation_node_parameters(), parameters));
     impact::Compositions compositions = impact::check_series(parameters, series);

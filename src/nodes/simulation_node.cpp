@@ -156,9 +156,13 @@ bool SimulationNode::run_series() {
 void SimulationNode::simulate(const Scene& scene,
                               const std::shared_ptr<const Composition>& composition) {
   ErrorControl control(scene, *composition);
+  progress_.emplace(fmt::format("run {} of {}", status_.run + 1, status_.runs));
   std::string failure;
   try {
-    control.find_resolution(composition, interrupted);
+    control.find_resolution(composition, [this] {
+      progress_->note_search();
+      return interrupted();
+    });
   } catch (const RunFailure& cause) {
     failure = cause.what();
   }
@@ -170,7 +174,7 @@ void SimulationNode::simulate(const Scene& scene,
   start(scene, run);
   try {
     if (!failure.empty()) throw RunFailure(failure);
-    const Restitution measured = publish_run(run);
+    const Restitution measured = publish_run(run, scene.output.period);
     if (run.finished() && !control.accepted()) control.accepts(run, measured);
     take_answer(control);
   } catch (const std::runtime_error& cause) {
@@ -194,13 +198,14 @@ void SimulationNode::close_bag(bool complete) {
   }
 }
 
-Restitution SimulationNode::publish_run(Run& run) {
+Restitution SimulationNode::publish_run(Run& run, double period) {
   ImpactAnalysis analysis;
   publish_status(run, lattice_impact::RunStatus::RUNNING);
   publish_output(run, analysis);
   while (!run.finished() && !interrupted()) {
     run.advance(interrupted);
     publish_output(run, analysis);
+    progress_->note_states(status_.states, run.expected_time() / period);
   }
   return analysis.restitution(run.finished() && !run.has_flag("not_separated"));
 }

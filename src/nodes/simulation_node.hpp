@@ -11,6 +11,7 @@
 #include "measure/impact_analysis.hpp"
 #include "nodes/data_streams.hpp"
 #include "nodes/node_parameters.hpp"
+#include "nodes/progress_log.hpp"
 #include "nodes/readers.hpp"
 #include "nodes/viewer.hpp"
 #include "run/error_control.hpp"
@@ -44,7 +45,8 @@ class SimulationNode {
 
  private:
   void simulate(const Scene& scene, const std::shared_ptr<const Composition>& composition);
-  Restitution publish_run(Run& run);
+  /// `period`: R/c between outputs.
+  Restitution publish_run(Run& run, double period);
   void start(const Scene& scene, const Run& run);
   void publish_output(Run& run, ImpactAnalysis& analysis);
   void send_lattice(Body body, const Lattice& lattice, const Run& run);
@@ -70,9 +72,10 @@ class SimulationNode {
   diagnostic_updater::Updater diagnostics_;
   std::optional<ros::WallRate> rate_;
 
-  ros::Time run_start_{1.0};          ///< simulated; a bag refuses the stamp 0
-  lattice_impact::RunStatus status_;  ///< of the present run, as last published
-  std::uint64_t checksum_ = 0;        ///< of the disk's messages of the present run
+  ros::Time run_start_{1.0};             ///< simulated; a bag refuses the stamp 0
+  lattice_impact::RunStatus status_;     ///< of the present run, as last published
+  std::optional<ProgressLog> progress_;  ///< of the present run
+  std::uint64_t checksum_ = 0;           ///< of the disk's messages of the present run
 };
 
 }  // namespace impact

@@ -21,10 +21,13 @@ void EnergyMonitor::check(const Motion& motion) {
   const EnergyLedger ledger = motion.ledger();
   const double deviation = std::abs(ledger.total() - total_at_start_);
   if (!(deviation <= std::max(largest_energy_, ledger.dissipated + ledger.absorbed))) {
+    const std::string total = std::isfinite(ledger.total())
+                                  ? fmt::format("total {:.3g}", ledger.total())
+                                  : "total no longer finite";
     throw RunFailure(fmt::format(
-        "the energy balance broke at t = {:.6g} R/c (total {:.3g}, at the start {:.3g} M c²): with "
-        "steps of {:.3g} R/c the integrator does not hold the motion",
-        motion.time(), ledger.total(), total_at_start_, motion.step_size()));
+        "the energy balance broke at t = {:.6g} R/c ({}, at the start {:.3g} M c²): with steps of "
+        "{:.3g} R/c the integrator does not hold the motion",
+        motion.time(), total, total_at_start_, motion.step_size()));
   }
   largest_deviation_ = std::max(largest_deviation_, deviation);
   largest_energy_ = std::max(largest_energy_, active_energy(ledger));

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "lattice/input_error.hpp"
+#include "scene/suggestion.hpp"
 
 namespace impact {
 
@@ -210,16 +211,20 @@ inline InputError bad_value(const std::string& key, const std::string& got,
 /// The value as one line, for an error or a table; lists and maps within it are not shown.
 std::string one_line(const YAML::Node& node);
 
-/// The keys that apply to `target`, separated by commas.
+/// The keys that apply to `target`.
 template <class T>
-std::string key_names(const std::vector<Parameter<T>>& table, const T& target) {
-  std::string names;
+std::vector<std::string> key_names(const std::vector<Parameter<T>>& table, const T& target) {
+  std::vector<std::string> names;
   for (const Parameter<T>& parameter : table) {
-    if (!parameter.applies(target)) continue;
-    if (!names.empty()) names += ", ";
-    names += parameter.key;
+    if (parameter.applies(target)) names.push_back(parameter.key);
   }
   return names;
+}
+
+/// The error for a key that is none of `known`.
+inline InputError unknown_key(const std::string& key, const std::vector<std::string>& known) {
+  return InputError(fmt::format("{}: unknown key{}, allowed: {}", shown(key),
+                                suggestion(key, known), fmt::join(known, ", ")));
 }
 
 /// Sets every parameter of `target` that `values` names, in the order of the table.
@@ -228,7 +233,7 @@ std::string key_names(const std::vector<Parameter<T>>& table, const T& target) {
 /// allowed too, but were taken elsewhere.
 template <class T>
 void read_parameters(const std::vector<Parameter<T>>& table, const FlatTree& values, T& target,
-                     const std::string& other_names = {}) {
+                     const std::vector<std::string>& other_names = {}) {
   for (const Parameter<T>& parameter : table) {
     const auto found = values.find(parameter.key);
     if (found == values.end() || !parameter.applies(target)) continue;
@@ -236,14 +241,13 @@ void read_parameters(const std::vector<Parameter<T>>& table, const FlatTree& val
       throw bad_value(parameter.key, one_line(found->second), parameter.allowed);
     }
   }
+  std::vector<std::string> known = other_names;
+  for (std::string& name : key_names(table, target)) known.push_back(std::move(name));
   for (const auto& value : values) {
-    const bool known = std::any_of(table.begin(), table.end(), [&](const Parameter<T>& parameter) {
-      return parameter.key == value.first && parameter.applies(target);
-    });
-    if (known) continue;
-    throw InputError(fmt::format("{}: unknown key, allowed: {}{}{}", shown(value.first),
-                                 other_names, other_names.empty() ? "" : ", ",
-                                 key_names(table, target)));
+    if (std::find(known.begin() + static_cast<std::ptrdiff_t>(other_names.size()), known.end(),
+                  value.first) == known.end()) {
+      throw unknown_key(value.first, known);
+    }
   }
 }
 
@@ -272,6 +276,21 @@ std::string markdown_table(const std::vector<Parameter<T>>& table, const T& defa
                         parameter.unit, one_line(parameter.write(defaults)), parameter.meaning);
   }
   return rows;
+}
+
+/// The parameters that apply to `target` with its values (but NaN), as text for a terminal.
+template <class T>
+std::string parameter_list(const std::vector<Parameter<T>>& table, const T& target) {
+  std::string text;
+  for (const Parameter<T>& parameter : table) {
+    if (!parameter.applies(target)) continue;
+    const std::string value = one_line(parameter.write(target));
+    const std::string unit = parameter.unit == "-" ? "" : " " + parameter.unit;
+    text += fmt::format("  {}{}{}  ({})\n      {}\n", parameter.key,
+                        value == ".nan" ? " in" : " = " + value, unit, parameter.allowed,
+                        parameter.meaning);
+  }
+  return text;
 }
 
 }  // namespace impact

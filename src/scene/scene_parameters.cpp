@@ -1,15 +1,10 @@
 #include "scene/scene_parameters.hpp"
 
 #include <fmt/format.h>
-#include <yaml-cpp/eventhandler.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <set>
-#include <sstream>
 
 namespace impact {
 namespace {
@@ -269,51 +264,6 @@ void check_resolution(const Scene& scene) {
   }
 }
 
-/// Counts the documents of a YAML text as far as to the second. (YAML::LoadAll() never ends where
-/// one begins with a comma.)
-class DocumentCounter : public YAML::EventHandler {
- public:
-  explicit DocumentCounter(const std::string& yaml) {
-    std::istringstream text(yaml);
-    YAML::Parser parser(text);
-    while (count_ < 2 && parser.HandleNextDocument(*this)) ++count_;
-  }
-  int count() const { return count_; }
-
-  void OnDocumentStart(const YAML::Mark&) override {}
-  void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                const std::string&) override {}
-  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                       YAML::EmitterStyle::value) override {}
-  void OnSequenceEnd() override {}
-  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                  YAML::EmitterStyle::value) override {}
-  void OnMapEnd() override {}
-
- private:
-  int count_ = 0;
-};
-
-/// @throw InputError when the text has more than one, or a character at which yaml-cpp would stop
-/// to read; YAML::Exception when it is no YAML.
-YAML::Node only_document(const std::string& yaml, const std::string& name) {
-  const auto forbidden = std::find_if(yaml.begin(), yaml.end(), [](char letter) {
-    return std::iscntrl(static_cast<unsigned char>(letter)) != 0 &&
-           std::string("\t\n\r").find(letter) == std::string::npos;
-  });
-  if (forbidden != yaml.end()) {
-    throw InputError(fmt::format("{}: got the control character {}, which YAML does not allow",
-                                 name, std::string(1, *forbidden)));
-  }
-  if (DocumentCounter(yaml).count() > 1) {
-    throw InputError(name + ": allowed: one YAML document");
-  }
-  return YAML::Load(yaml);
-}
-
 /// Equal for equal values, however they are written.
 std::string canonical(const YAML::Node& value) {
   const auto whole = whole_number(value);
@@ -374,7 +324,7 @@ const std::vector<Parameter<Scene>>& scene_parameters() {
   return table;
 }
 
-Scene parse_scene(const FlatTree& keys, const std::string& other_names) {
+Scene parse_scene(const FlatTree& keys, const std::vector<std::string>& other_names) {
   if (keys.count("scene") == 0) {
     throw bad_value("scene", "nothing", scene_parameters().front().allowed);
   }
@@ -385,7 +335,7 @@ Scene parse_scene(const FlatTree& keys, const std::string& other_names) {
 }
 
 std::vector<Scene> parse_combinations(FlatTree keys, const std::vector<KeyValues>& lists,
-                                      const std::string& other_names) {
+                                      const std::vector<std::string>& other_names) {
   std::size_t count = 1;
   for (const auto& [key, values] : lists) {
     if (values.size() == 0) throw bad_value(key, "[]", "one value at least");
@@ -416,45 +366,12 @@ std::vector<KeyValues> lists_of(const FlatTree& keys) {
   return lists;
 }
 
-std::vector<Scene> parse_series(const FlatTree& keys, const std::string& other_names) {
+std::vector<Scene> parse_series(const FlatTree& keys, const std::vector<std::string>& other_names) {
   return parse_combinations(keys, lists_of(keys), other_names);
 }
 
 std::string to_yaml(const Scene& scene) {
   return YAML::Dump(write_parameters(scene_parameters(), scene)) + "\n";
-}
-
-FlatTree parse_keys(const std::string& yaml, const std::string& name) {
-  try {
-    return flatten(only_document(yaml, name));
-  } catch (const YAML::Exception& error) {
-    throw InputError(fmt::format("{}:{}: {}", name, error.mark.line + 1, error.msg));
-  }
-}
-
-FlatTree load_keys(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path) || !file) {
-    throw InputError(fmt::format("{}: cannot be read", path.string()));
-  }
-  return parse_keys({std::istreambuf_iterator<char>(file), {}}, path.string());
-}
-
-YAML::Node parse_value(const std::string& key, const std::string& text) {
-  try {
-    return only_document(text, shown(key));
-  } catch (const YAML::Exception& error) {
-    throw InputError(fmt::format("{}: {}", shown(key), error.msg));
-  }
-}
-
-void override_key(FlatTree& keys, const std::string& assignment) {
-  const std::size_t equals = assignment.find('=');
-  if (equals == 0 || equals == std::string::npos) {
-    throw InputError(fmt::format("{}: allowed: key=value", shown(assignment)));
-  }
-  const std::string key = assignment.substr(0, equals);
-  keys[key].reset(parse_value(key, assignment.substr(equals + 1)));
 }
 
 }  // namespace impact

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,7 +19,7 @@ std::string name_of(IntegratorKind kind);
 /// The scene that these keys describe; keys that are absent keep their defaults, `scene` itself
 /// must be there.
 /// @throw InputError as read_parameters(), and for values that do not go together.
-Scene parse_scene(const FlatTree& keys, const std::string& other_names = {});
+Scene parse_scene(const FlatTree& keys, const std::vector<std::string>& other_names = {});
 
 /// The most scenes that a series has.
 constexpr std::size_t kMostScenes = 100'000;
@@ -33,7 +32,7 @@ using KeyValues = std::pair<std::string, YAML::Node>;
 /// @throw InputError as parse_scene(), for an empty list or one that has a value twice, and for
 /// more than kMostScenes combinations; every scene is checked before any is returned.
 std::vector<Scene> parse_combinations(FlatTree keys, const std::vector<KeyValues>& lists,
-                                      const std::string& other_names = {});
+                                      const std::vector<std::string>& other_names = {});
 
 /// The keys of the tree that have a list, in alphabetical order.
 std::vector<KeyValues> lists_of(const FlatTree& keys);
@@ -41,25 +40,10 @@ std::vector<KeyValues> lists_of(const FlatTree& keys);
 /// A series: a key of the tree may hold a list of values, which then are taken in turn; with
 /// several lists, all combinations, the last key in alphabetical order changing fastest.
 /// @throw InputError as parse_combinations().
-std::vector<Scene> parse_series(const FlatTree& keys, const std::string& other_names = {});
+std::vector<Scene> parse_series(const FlatTree& keys,
+                                const std::vector<std::string>& other_names = {});
 
 /// The scene as YAML; parse_scene() of it gives the same bits.
 std::string to_yaml(const Scene& scene);
-
-/// The tree of a YAML text; `name` is what errors call it.
-/// @throw InputError when it is not one YAML document.
-FlatTree parse_keys(const std::string& yaml, const std::string& name);
-
-/// The tree of a YAML file.
-/// @throw InputError when it cannot be read, and as parse_keys().
-FlatTree load_keys(const std::filesystem::path& path);
-
-/// The value of `key` as YAML.
-/// @throw InputError when it is not one YAML document.
-YAML::Node parse_value(const std::string& key, const std::string& text);
-
-/// Replaces or adds the key of `assignment` (`impact.velocity=0.02`).
-/// @throw InputError when it is not of the form key=value.
-void override_key(FlatTree& keys, const std::string& assignment);
 
 }  // namespace impact

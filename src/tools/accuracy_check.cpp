@@ -6,6 +6,7 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/thread_pool.hpp>
 #include <boost/asio/use_future.hpp>
+#include <chrono>
 #include <cmath>
 #include <future>
 #include <map>
@@ -27,6 +28,8 @@
 namespace impact {
 namespace {
 
+constexpr std::chrono::milliseconds kPatience{100};
+
 using Checks = std::vector<AccuracyCheck>;
 
 AccuracyCheck check(std::uint64_t seed, int number) {
@@ -46,11 +49,13 @@ Checks check_all(std::uint64_t seed, int scenes, int jobs) {
           return check(seed, number);
         })));
   }
-  ProgressBar bar(futures.size());
+  ProgressBar bar("accuracy_check", futures.size(), "scenes");
   Checks checks;
   checks.reserve(futures.size());
   for (auto& future : futures) {
-    bar.show(checks.size());
+    do {
+      bar.show(checks.size());
+    } while (future.wait_for(kPatience) != std::future_status::ready);
     if (auto done = future.get()) checks.push_back(*std::move(done));
   }
   return checks;

@@ -20,10 +20,13 @@
 #include "nodes/inventory.hpp"
 #include "nodes/series_analysis.hpp"
 #include "nodes/series_fits.hpp"
-#include "scene/parameter_table.hpp"
+#include "scene/keys.hpp"
+#include "scene/scene_parameters.hpp"
 #include "tools/law_fit_yaml.hpp"
 #include "tools/program.hpp"
 #include "tools/restitution_yaml.hpp"
+#include "tools/result_text.hpp"
+#include "tools/text_table.hpp"
 
 namespace impact {
 namespace {
@@ -79,6 +82,21 @@ class Pipeline {
   }
 
   const std::vector<YAML::Node>& results() const { return results_; }
+
+  /// The results, the fits and the count of messages, as text.
+  std::string text() const {
+    std::string text = results_.size() > 1 ? table_of_runs() : std::string();
+    if (results_.size() == 1) text = block(results_.front());
+    for (const auto& law : law_fits_) {
+      if (law.second.x.size() > 1) text += fmt::format("  fit: {}\n", outcome(law.second));
+    }
+    std::uint64_t recorded = 0;
+    for (const auto& topic : recorded_) recorded += topic.second;
+    for (const auto& topic : recorded_results_) recorded += topic.second;
+    return text + fmt::format("  {} messages on {} topics{}\n", recorded,
+                              recorded_.size() + recorded_results_.size(),
+                              complete_ ? ", all that were published" : "");
+  }
 
   /// The last of each group of runs.
   const std::map<std::string, lattice_impact::LawFit>& law_fits() const { return law_fits_; }
@@ -137,7 +155,42 @@ class Pipeline {
     if (!content) return false;
     inventory_.add(*content);
     analysis_.add(*content);
+    statuses_[content->run] = *content;
     return true;
+  }
+
+  /// What is wrong with the scene of a damaged bag was reported.
+  Scene scene_of(const YAML::Node& result) const {
+    const auto status = statuses_.find(result["run"].as<std::uint32_t>());
+    try {
+      if (status != statuses_.end()) return parse_scene(parse_keys(status->second.scene, "scene"));
+    } catch (const InputError&) {
+    }
+    Scene scene;
+    scene.kind = result["strain"] ? SceneKind::kContact : SceneKind::kCollision;
+    return scene;
+  }
+
+  /// With what the status of the run adds.
+  YAML::Node completed(const YAML::Node& result) const {
+    YAML::Node completed = YAML::Clone(result);
+    const auto status = statuses_.find(result["run"].as<std::uint32_t>());
+    if (status == statuses_.end()) return completed;
+    completed["estimated_error"] = exact(status->second.estimated_error);
+    if (!result["flags"]) completed["flags"] = flag_list(status->second.flags);
+    return completed;
+  }
+
+  std::string block(const YAML::Node& result) const {
+    const Scene scene = scene_of(result);
+    return title(scene) + "\n" + result_block(completed(result), scene);
+  }
+
+  std::string table_of_runs() const {
+    std::string text = fmt::format("{} runs\n", results_.size());
+    std::vector<YAML::Node> results;
+    for (const YAML::Node& result : results_) results.push_back(completed(result));
+    return text + result_table(results, scene_of(results_.front()).kind);
   }
 
   template <class Message>
@@ -188,6 +241,7 @@ class Pipeline {
   std::map<std::string, std::uint64_t> recorded_;
   std::map<std::string, std::uint64_t> recorded_results_;
   std::map<std::string, std::uint64_t> computed_results_;
+  std::map<std::uint32_t, lattice_impact::RunStatus> statuses_;  ///< the last of each run
   std::vector<YAML::Node> results_;
   std::map<std::string, lattice_impact::LawFit> law_fits_;  ///< by the keys that the runs share
   bool complete_ = true;
@@ -250,24 +304,34 @@ std::map<std::string, Pipeline> read_undamaged(const std::string& file,
   }
 }
 
-void analyse(const std::string& file, const ElasticParameters& elastic) {
+YAML::Node document_of(Pipeline& pipeline) {
+  YAML::Node node;
+  node["topics"] = pipeline.topics();
+  for (const YAML::Node& result : pipeline.results()) node["runs"].push_back(result);
+  for (const auto& law : pipeline.law_fits()) {
+    if (law.second.x.size() > 1) node["law_fits"].push_back(to_yaml(law.second));
+  }
+  return node;
+}
+
+void analyse(const std::string& file, const ElasticParameters& elastic, Format format) {
   std::map<std::string, Pipeline> pipelines = read_undamaged(file, elastic);
   bool complete = true;
   YAML::Node document;
-  for (auto& pipeline : pipelines) {
-    pipeline.second.close();
-    if (!pipeline.second.has_runs()) continue;
-    YAML::Node node;
-    node["topics"] = pipeline.second.topics();
-    for (const YAML::Node& result : pipeline.second.results()) node["runs"].push_back(result);
-    for (const auto& law : pipeline.second.law_fits()) {
-      if (law.second.x.size() > 1) node["law_fits"].push_back(to_yaml(law.second));
-    }
-    document[pipeline.first] = node;
-    complete = complete && pipeline.second.complete();
+  std::string text;
+  for (auto& [name_space, pipeline] : pipelines) {
+    pipeline.close();
+    if (!pipeline.has_runs()) continue;
+    document[name_space] = document_of(pipeline);
+    text += fmt::format("{}: {}", name_space, pipeline.text());
+    complete = complete && pipeline.complete();
   }
   if (document.IsNull()) throw InputError(fmt::format("{} holds no run", file));
-  fmt::print("{}\n", YAML::Dump(document));
+  if (is_text(format)) {
+    fmt::print("{}  bag {}\n", text, file);
+  } else {
+    fmt::print("{}\n", format == Format::kJson ? to_json(document) : YAML::Dump(document));
+  }
   if (!complete) throw std::runtime_error(fmt::format("{} is not complete", file));
 }
 
@@ -297,8 +361,7 @@ void go_on_in_a_child(const std::string& file) {
 }  // namespace impact
 
 int main(int argc, char** argv) {
-  CLI::App app("Analyses a recorded series and counts its messages; result as YAML.",
-               "analyse_bag");
+  CLI::App app("Analyses a recorded series and counts its messages.", "analyse_bag");
   std::string file;
   app.add_option("bag", file, "the bag")->required();
   impact::ElasticParameters elastic;
@@ -308,9 +371,11 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(std::numeric_limits<double>::min(), kHighestModulus));
   app.add_option("--poisson-ratio", elastic.poisson_ratio, "of the disk")
       ->check(CLI::Range(-kHighestRatio, kHighestRatio));
+  impact::Format format = impact::Format::kAuto;
+  impact::offer_formats(app, format);
   console_bridge::noOutputHandler();  // what it would say is in the exception
   return impact::run_tool(app, argc, argv, [&] {
     impact::go_on_in_a_child(file);
-    impact::analyse(file, elastic);
+    impact::analyse(file, elastic, format);
   });
 }

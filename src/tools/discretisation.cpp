@@ -5,6 +5,7 @@
 
 #include "theory/law_fit.hpp"
 #include "tools/pareto.hpp"
+#include "tools/progress_bar.hpp"
 #include "tools/table.hpp"
 #include "tools/work_precision.hpp"
 
@@ -35,6 +36,8 @@ struct Sample {
 };
 
 Sample sample(double eta, const Size& size, double longest) {
+  const std::string name = fmt::format("work_precision: eta* = {:g}, N = {}", eta, size.points);
+  ProgressBar bar(name, static_cast<std::size_t>(size.lattices), "lattices");
   Sample sample{size.points, {}, {}};
   Scene scene;
   scene.impact.velocity = 0.05;
@@ -44,6 +47,7 @@ Sample sample(double eta, const Size& size, double longest) {
   scene.material.eta = scaled_eta(eta, size.points);
   for (int seed = 1; seed <= size.lattices; ++seed) {
     throw_if_interrupted();
+    bar.show(sample.restitution.size());
     scene.seed = static_cast<std::uint64_t>(seed);
     Measurement one(scene, Until::kAnswer);
     one.run(longest);

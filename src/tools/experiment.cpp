@@ -111,6 +111,7 @@ Experiment::Experiment(const Scene& scene, std::shared_ptr<const Composition> co
 
 void Experiment::start_run() {
   analysis_ = {};
+  ++runs_;
   if (make_run_) {
     run_.emplace(make_run_(control_.resolution()));
     const State start = start_of(*composition_, control_.resolution());

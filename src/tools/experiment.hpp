@@ -53,6 +53,8 @@ class Experiment {
   const Scene& scene() const { return scene_; }
   /// The present run, at the end the finest one.
   const Run& run() const { return *run_; }
+  /// So many runs were begun, the present one included.
+  int runs() const { return runs_; }
   double estimated_error() const { return control_.estimated_error(); }
   /// Of a collision, at the end.
   const ImpactAnswer& impact() const { return control_.answer(); }
@@ -87,6 +89,7 @@ class Experiment {
   MakeRun make_run_;  ///< empty: the runs go on by themselves
   ErrorControl control_;
   std::optional<Run> run_;
+  int runs_ = 0;
   StrainMeter strain_meter_;
   ImpactAnalysis analysis_;
   History* history_;  ///< nullptr: nobody wants it

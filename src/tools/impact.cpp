@@ -1,8 +1,5 @@
-// One run of a scene without a ROS master: result as YAML on stdout, progress on stderr.
+// One run of a scene without a ROS master: its result on stdout, progress on stderr.
 
-#include <unistd.h>
-
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -12,32 +9,76 @@
 #include "lattice/lammps_data.hpp"
 #include "run/compose.hpp"
 #include "run/forecast.hpp"
+#include "scene/keys.hpp"
+#include "scene/scene_files.hpp"
 #include "scene/scene_parameters.hpp"
+#include "scene/short_keys.hpp"
 #include "tools/experiment.hpp"
 #include "tools/interruption.hpp"
 #include "tools/output_folder.hpp"
 #include "tools/program.hpp"
+#include "tools/progress_bar.hpp"
 #include "tools/reference_integrator.hpp"
+#include "tools/result_text.hpp"
 
 namespace impact {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+struct Options {
+  std::string folder;     ///< empty: none
+  std::string real_disk;  ///< empty: none
+  bool keep_states = false;
+  Format format = Format::kAuto;
+};
+
+/// What all runs of an experiment have done, and what is left as far as it is known, in steps.
+class Work {
+ public:
+  void note(const Experiment& experiment) {
+    const Run& run = experiment.run();
+    if (experiment.runs() != run_) {
+      run_ = experiment.runs();
+      before_ = done_;
+    }
+    done_ = before_ + static_cast<double>(run.state().step);
+    const double time = run.expected_time();
+    total_ = before_ + time / run.motion().step_size();
+    for (const Resolution& later : experiment.later_resolutions()) total_ += time / later.step;
+  }
+
+  double done() const { return done_; }
+  double total() const { return total_; }
+
+ private:
+  int run_ = 0;
+  double before_ = 0.0;  ///< the present run
+  double done_ = 0.0;
+  double total_ = 0.0;
+};
+
+std::string what_is_done(const Experiment& experiment) {
+  const Run& run = experiment.run();
+  const std::string place =
+      fmt::format("{:.3g} of about {:.2g} R/c", run.state().time, run.expected_time());
+  if (experiment.runs() == 1) return place;
+  return fmt::format("run {}, with finer steps, to confirm the error: {}", experiment.runs(),
+                     place);
+}
 
 void perform(Experiment& experiment) {
-  constexpr std::chrono::milliseconds kRedraw{200};
-  const bool show_progress = isatty(STDERR_FILENO) != 0;
-  Clock::time_point last_progress = Clock::now();
-  while (!experiment.finished()) {
-    experiment.advance(interrupted);
-    if (interrupted()) throw std::runtime_error("interrupted");
-    if (show_progress && Clock::now() - last_progress > kRedraw) {
-      last_progress = Clock::now();
-      const Run& run = experiment.run();
-      fmt::print(stderr, "\r{:.4g} R/c of about {:.2g}", run.state().time, run.expected_time());
+  ProgressLine progress("impact", "steps");
+  Work work;
+  const auto stop = [&] {
+    if (!experiment.scene().is_static()) {
+      work.note(experiment);
+      progress.show(work.done(), work.total(), what_is_done(experiment));
     }
+    return interrupted();
+  };
+  while (!experiment.finished()) {
+    experiment.advance(stop);
+    if (interrupted()) throw std::runtime_error("interrupted");
   }
-  if (show_progress) fmt::print(stderr, "\r\033[K");
 }
 
 void tell_if_long(const Experiment& experiment) {
@@ -80,8 +121,8 @@ void write_result(const Experiment& experiment, const std::string& result, const
 }
 
 FlatTree keys_of(const std::string& scene_file, const std::vector<std::string>& assignments) {
-  FlatTree keys = load_keys(scene_file);
-  for (const std::string& assignment : assignments) override_key(keys, assignment);
+  FlatTree keys = load_keys(scene_path(scene_file));
+  override_keys(keys, assignments);
   return keys;
 }
 
@@ -91,28 +132,68 @@ void check(const FlatTree& keys) {
   }
 }
 
-void perform(const FlatTree& keys, const std::string& folder, bool keep_states) {
-  if (keep_states && folder.empty()) throw InputError("--states needs --output");
+Scene single_scene(const FlatTree& keys) {
   for (const auto& [key, value] : keys) {
     if (value.IsSequence()) throw bad_value(key, one_line(value), "one value; sweep takes several");
   }
-  const Scene scene = parse_scene(keys);
+  return parse_scene(keys);
+}
+
+/// How the result came about, in a line.
+std::string account(const Experiment& experiment) {
+  const Run& run = experiment.run();
+  const std::string method = name_of(run.integrator());
+  const std::string time = fmt::format("{:.2g} s", experiment.wall_time());
+  if (experiment.scene().is_static()) {
+    return fmt::format("  by {}: {} iterations, {}\n", method, run.state().step, time);
+  }
+  const std::string runs =
+      experiment.runs() == 1
+          ? ""
+          : fmt::format(", the last of {} runs that show the error", experiment.runs());
+  return fmt::format("  by {}: {} steps of {:.3g} R/c{}, {}\n", method, run.state().step,
+                     run.motion().step_size(), runs, time);
+}
+
+std::string text_of(const Experiment& experiment, const YAML::Node& result,
+                    const std::optional<SiUnits>& si) {
+  const Scene& scene = experiment.scene();
+  return fmt::format("{}\n{}{}{}", title(scene), result_block(result, scene, si),
+                     account(experiment), si ? "  SI for " + si->origin() + "\n" : "");
+}
+
+void perform(const FlatTree& keys, const Options& options) {
+  if (options.keep_states && options.folder.empty()) throw InputError("--states needs --output");
+  const Scene scene = single_scene(keys);
+  std::optional<SiUnits> si;
+  if (!options.real_disk.empty()) si.emplace(parse_real_disk(options.real_disk), scene);
   std::optional<Output> output;
   std::optional<History> history;
-  if (!folder.empty()) {
+  if (!options.folder.empty()) {
     take_interruptions();
-    output.emplace(folder);
-    history.emplace(keep_states ? output->files.beside(Output::kStates) : "");
+    output.emplace(options.folder);
+    history.emplace(options.keep_states ? output->files.beside(Output::kStates) : "");
   }
   Experiment experiment(scene, history ? &*history : nullptr);
   tell_if_long(experiment);
   perform(experiment);
 
-  const std::string result = YAML::Dump(experiment.result()) + "\n";
-  fmt::print("{}", result);
+  YAML::Node result = experiment.result();
+  if (si) result["si"] = si_values(result, scene, *si);
+  const std::string yaml = YAML::Dump(result) + "\n";
+  if (is_text(options.format)) {
+    fmt::print("{}", text_of(experiment, result, si));
+    if (output) fmt::print("  files in {}\n", options.folder);
+  } else {
+    fmt::print("{}", options.format == Format::kJson ? to_json(result) + "\n" : yaml);
+  }
   if (!output) return;
   history->close();
-  write_result(experiment, result, *history, output->files);
+  write_result(experiment, yaml, *history, output->files);
+}
+
+void list_keys(const FlatTree& keys) {
+  fmt::print("{}", parameter_list(scene_parameters(), single_scene(keys)));
 }
 
 }  // namespace
@@ -120,22 +201,32 @@ void perform(const FlatTree& keys, const std::string& folder, bool keep_states) 
 
 int main(int argc, char** argv) {
   impact::offer_reference_integrator();
-  CLI::App app("Simulates one scene and prints what came out as YAML.", "impact");
+  CLI::App app("Simulates one scene and prints what came out.", "impact");
   std::string scene_file;
   std::vector<std::string> assignments;
-  std::string folder;
+  impact::Options options;
   bool check_only = false;
-  bool keep_states = false;
-  app.add_option("scene", scene_file, "scene file, like launch/scenes/collision.yaml")->required();
-  app.add_option("assignments", assignments, "key=value, replaces that key of the scene");
+  bool list_only = false;
+  app.add_option("scene", scene_file,
+                 "collision, contact, absorbing_wall, stretch, or a scene file")
+      ->required();
+  app.add_option("assignments", assignments,
+                 "key=value, replaces that key of the scene; velocity stands for impact.velocity "
+                 "where no other key ends so");
+  app.add_flag("--keys", list_only, "only list the keys of the scene");
   app.add_flag("--check", check_only,
                "only say whether the scene can be read; a list of values is a series");
-  app.add_option("--output", folder,
+  app.add_option("--output", options.folder,
                  "folder for result.yaml, scene.yaml, history.csv, lattice.data and wall.data");
-  app.add_flag("--states", keep_states,
+  app.add_flag("--states", options.keep_states,
                "also all states at the output times, into states.lammpstrj, a LAMMPS dump");
+  app.add_option("--si", options.real_disk,
+                 "also in SI, for a disk like radius=0.05,density=1100,young=5e6[,thickness=0.01] "
+                 "or with mass, wave_speed instead; see the program units");
+  impact::offer_formats(app, options.format);
   return impact::run_tool(app, argc, argv, [&] {
     const impact::FlatTree keys = impact::keys_of(scene_file, assignments);
-    check_only ? impact::check(keys) : impact::perform(keys, folder, keep_states);
+    if (list_only) return impact::list_keys(keys);
+    check_only ? impact::check(keys) : impact::perform(keys, options);
   });
 }

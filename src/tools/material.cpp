@@ -6,6 +6,7 @@
 #include "lattice/periodic_patch.hpp"
 #include "measure/elastic_constants.hpp"
 #include "theory/law_fit.hpp"
+#include "tools/progress_bar.hpp"
 #include "tools/reproduction.hpp"
 #include "tools/table.hpp"
 
@@ -31,7 +32,9 @@ void add_line(Table& table, const std::string& method, Placement placement,
 void measure_patches(Placement placement, Table& table) {
   std::vector<double> moduli;
   std::vector<double> ratios;
+  ProgressBar bar("reproduce: periodic patches", kPatches, "patches");
   for (int seed = 1; seed <= kPatches; ++seed) {
+    bar.show(moduli.size());
     break_off_if_interrupted();
     const PeriodicPatch patch =
         random_patch(kPatchPoints, placement, 1.0, 1.0, static_cast<std::uint64_t>(seed));

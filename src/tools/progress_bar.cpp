@@ -4,46 +4,49 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <string>
+#include <utility>
 
 namespace impact {
 namespace {
 
 constexpr std::chrono::milliseconds kRedraw{200};
-constexpr std::size_t kWidth = 30;
-
-std::string time_left(double seconds) {
-  if (seconds < 100.0) return fmt::format("{:.0f} s left", seconds);
-  if (seconds < 6000.0) return fmt::format("{:.0f} min left", seconds / 60.0);
-  return fmt::format("{:.1f} h left", seconds / 3600.0);
-}
-
-bool is_shown() { return isatty(STDERR_FILENO) != 0; }
+constexpr std::chrono::seconds kNextLine{10};
+constexpr int kWidth = 20;
 
 }  // namespace
 
-ProgressBar::~ProgressBar() {
-  if (is_shown()) std::fputs("\r\033[K", stderr);
+ProgressLine::ProgressLine(std::string program, std::string unit)
+    : program_(std::move(program)),
+      pace_(std::move(unit)),
+      on_terminal_(isatty(STDERR_FILENO) != 0),
+      last_(on_terminal_ ? Clock::time_point() : Clock::now()) {}
+
+ProgressLine::~ProgressLine() { clear(); }
+
+void ProgressLine::clear() const {
+  if (on_terminal_) std::fputs("\r\033[K", stderr);
+}
+
+void ProgressLine::show(double done, double total, const std::string& what) {
+  const Clock::time_point now = Clock::now();
+  pace_.note(done, total, now);
+  if (on_terminal_ ? now - last_ < kRedraw : now - last_ < kNextLine) return;
+  last_ = now;
+  draw(what);
+}
+
+void ProgressLine::draw(const std::string& what) const {
+  if (!on_terminal_) {
+    fmt::print(stderr, "{}: {}: {}\n", program_, what, pace_.text());
+    return;
+  }
+  const std::string filled(static_cast<std::size_t>(kWidth * pace_.share()), '#');
+  fmt::print(stderr, "\r[{:-<{}}] {}: {}\033[K", filled, kWidth, what, pace_.text());
 }
 
 void ProgressBar::show(std::size_t done) {
-  const Clock::time_point now = Clock::now();
-  if (!done_at_start_) {
-    done_at_start_ = done;
-    start_ = now;
-  }
-  if (!is_shown() || now - last_drawing_ < kRedraw) return;
-  last_drawing_ = now;
-  draw(done);
-}
-
-void ProgressBar::draw(std::size_t done) const {
-  const std::size_t done_here = done - *done_at_start_;
-  const double elapsed = std::chrono::duration<double>(last_drawing_ - start_).count();
-  const double left = elapsed * static_cast<double>(total_ - done) / static_cast<double>(done_here);
-  fmt::print(stderr, "\r[{:-<{}}] {}/{}, {} %{}\033[K", std::string(kWidth * done / total_, '#'),
-             kWidth, done, total_, 100 * done / total_,
-             done_here == 0 ? "" : ", " + time_left(left));
+  line_.show(static_cast<double>(done), static_cast<double>(total_),
+             fmt::format("{}/{} {}", done, total_, unit_));
 }
 
 }  // namespace impact

@@ -10,7 +10,7 @@ namespace impact {
 
 std::vector<Row> simulate(const Reproduction& reproduction, const std::string& name,
                           const std::vector<Scene>& scenes) {
-  ProgressBar bar(scenes.size());
+  ProgressBar bar("reproduce: " + name, scenes.size());
   return run_series(
       scenes, reproduction.folder / (name + "_runs.csv"),
       {reproduction.jobs, [&bar](std::size_t /*rows*/, std::size_t runs) { bar.show(runs); },

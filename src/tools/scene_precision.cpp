@@ -10,6 +10,7 @@
 
 #include "scene/scene_parameters.hpp"
 #include "tools/pareto.hpp"
+#include "tools/progress_bar.hpp"
 #include "tools/table.hpp"
 #include "tools/work_precision.hpp"
 
@@ -403,9 +404,14 @@ void measure_scenes(const WorkPrecision& task) {
               "verified_integrator", "verified_setting", "verified_time", "verified_error",
               "auto_integrator", "auto_setting", "auto_time", "auto_error", "auto_by_verified",
               "auto_by_bare"});
-  for (const TestScene& scene : test_scenes(task.quick)) {
+  const std::vector<TestScene> scenes = test_scenes(task.quick);
+  ProgressBar bar("work_precision", scenes.size(), "scenes");
+  std::size_t done = 0;
+  for (const TestScene& scene : scenes) {
+    bar.show(done++);
     ScenePrecision precision(scene, task.effort);
     precision.measure();
+    bar.clear();
     precision.write(task.folder);
     precision.add_reference(references);
     precision.add_best(best);

@@ -204,7 +204,7 @@ void check_stability(const std::string& output, double largest, int jobs) {
   take_interruptions();
   std::vector<Row> rows;
   {
-    ProgressBar bar(scenes.size());
+    ProgressBar bar("stability", scenes.size());
     rows = run_series(
         scenes, folder.path() / "stability_runs.csv",
         {jobs, [&bar](std::size_t /*rows*/, std::size_t runs) { bar.show(runs); }, interrupted});

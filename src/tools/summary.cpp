@@ -14,6 +14,8 @@
 #include <utility>
 
 #include "scene/scene_parameters.hpp"
+#include "tools/result_text.hpp"
+#include "tools/text_table.hpp"
 
 namespace impact {
 namespace {
@@ -24,7 +26,6 @@ using Sample =
 using Parameters = std::vector<Parameter<Scene>>;
 using Group = std::vector<const Row*>;
 using Line = std::vector<std::string>;
-using Lines = std::vector<Line>;
 
 std::vector<std::string> main_results(SceneKind kind) {
   if (kind == SceneKind::kCollision) return {"restitution", "contact_duration"};
@@ -80,8 +81,8 @@ Line short_texts(const Parameters& parameters, const Scene& scene) {
   return line;
 }
 
-std::string number(double value) {
-  return std::isfinite(value) ? fmt::format("{:#.6g}", value) : "-";
+std::string number(double value, double error) {
+  return std::isfinite(value) ? digits(value, error) : "-";
 }
 
 double result(const Row& row, const std::string& key) {
@@ -95,8 +96,9 @@ void add_mean(const Group& group, const std::string& key, Line& line) {
     if (std::isfinite(result(*row, key))) sample(result(*row, key));
   }
   const std::size_t count = acc::count(sample);
-  line.push_back(count > 0 ? number(acc::mean(sample)) : "-");
-  line.push_back(count > 1 ? fmt::format("{:#.2g}", acc::error_of<acc::tag::mean>(sample)) : "-");
+  const double error = count > 1 ? acc::error_of<acc::tag::mean>(sample) : std::nan("");
+  line.push_back(count > 0 ? digits(acc::mean(sample), 0.1 * error) : "-");
+  line.push_back(count > 1 ? fmt::format("{:.2g}", error) : "-");
 }
 
 /// The rows with the same values, in the order of their first ones.
@@ -117,22 +119,24 @@ Line header(const Parameters& parameters) {
   return line;
 }
 
-Lines table_of_runs(const std::vector<Row>& rows, const Parameters& parameters) {
-  Lines table{header(parameters)};
+TextTable table_of_runs(const std::vector<Row>& rows, const Parameters& parameters) {
+  TextTable table{header(parameters)};
   const auto results = main_results(rows);
   table[0].insert(table[0].end(), results.begin(), results.end());
   table[0].push_back("flags");
   for (const Row& row : rows) {
     Line line = short_texts(parameters, row.scene);
-    for (const std::string& key : results) line.push_back(number(result(row, key)));
+    for (const std::string& key : results) {
+      line.push_back(number(result(row, key), result(row, key + "_error")));
+    }
     line.push_back(row.flags.empty() ? "-" : row.flags);
     table.push_back(std::move(line));
   }
   return table;
 }
 
-Lines table_of_means(const std::vector<Row>& rows, const Parameters& parameters) {
-  Lines table{header(parameters)};
+TextTable table_of_means(const std::vector<Row>& rows, const Parameters& parameters) {
+  TextTable table{header(parameters)};
   table[0].push_back("runs");
   for (const std::string& key : main_results(rows)) {
     table[0].push_back(key);
@@ -148,22 +152,6 @@ Lines table_of_means(const std::vector<Row>& rows, const Parameters& parameters)
     table.push_back(std::move(line));
   }
   return table;
-}
-
-/// Right-aligned columns.
-std::string aligned(const Lines& table) {
-  std::vector<std::size_t> widths(table[0].size(), 0);
-  for (const Line& line : table) {
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
-  }
-  std::string text;
-  for (const Line& line : table) {
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      text += fmt::format("{}{:>{}}", i == 0 ? "" : "  ", line[i], widths[i]);
-    }
-    text += '\n';
-  }
-  return text;
 }
 
 }  // namespace

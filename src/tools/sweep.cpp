@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "run/forecast.hpp"
-#include "scene/scene_parameters.hpp"
+#include "scene/keys.hpp"
+#include "scene/scene_files.hpp"
 #include "tools/interruption.hpp"
 #include "tools/program.hpp"
 #include "tools/progress_bar.hpp"
@@ -32,12 +33,12 @@ void tell_if_long(const std::vector<Scene>& scenes) {
 
 void sweep(const std::string& scene_file, const std::vector<std::string>& assignments,
            const std::string& output, int jobs) {
-  const std::vector<Scene> scenes = parse_sweep(load_keys(scene_file), assignments);
+  const std::vector<Scene> scenes = parse_sweep(load_keys(scene_path(scene_file)), assignments);
   tell_if_long(scenes);
   take_interruptions();
   std::vector<Row> rows;
   {
-    ProgressBar bar(scenes.size());
+    ProgressBar bar("sweep", scenes.size());
     rows = run_series(
         scenes, output,
         {jobs, [&bar](std::size_t /*rows*/, std::size_t runs) { bar.show(runs); }, interrupted});
@@ -60,7 +61,9 @@ int main(int argc, char** argv) {
   std::vector<std::string> assignments;
   std::string output;
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  app.add_option("scene", scene_file, "scene file, like launch/scenes/collision.yaml")->required();
+  app.add_option("scene", scene_file,
+                 "collision, contact, absorbing_wall, stretch, or a scene file")
+      ->required();
   app.add_option("assignments", assignments, "key=v1,v2,... or key=lo:hi:n or key=lo:hi:n:log");
   app.add_option("--output", output, "CSV file; one of the same command is continued")->required();
   app.add_option("--jobs", jobs, "threads")->capture_default_str()->check(CLI::Range(1, 1024));

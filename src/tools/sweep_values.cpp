@@ -9,7 +9,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "scene/keys.hpp"
 #include "scene/scene_parameters.hpp"
+#include "scene/short_keys.hpp"
 
 namespace impact {
 namespace {
@@ -87,19 +89,18 @@ std::vector<std::string> sweep_values(const std::string& key, const std::string&
 }
 
 std::vector<Scene> parse_sweep(const FlatTree& keys, const std::vector<std::string>& assignments) {
+  std::vector<Assignment> parsed;
+  for (const std::string& text : assignments) {
+    parsed.push_back(parse_assignment(text, "key=values"));
+  }
   std::vector<KeyValues> lists;
-  for (const std::string& assignment : assignments) {
-    const std::size_t equals = std::min(assignment.find('='), assignment.size());
-    const std::string key = assignment.substr(0, equals);
-    if (equals == 0 || equals == assignment.size()) {
-      throw InputError(shown(assignment) + ": allowed: key=values");
-    }
-    const auto is_key = [&](const KeyValues& list) { return list.first == key; };
+  for (const auto& [key, text] : with_full_keys(keys, std::move(parsed))) {
+    const auto is_key = [&, name = key](const KeyValues& list) { return list.first == name; };
     if (std::any_of(lists.begin(), lists.end(), is_key)) {
       throw InputError(shown(key) + ": given twice");
     }
     YAML::Node values(YAML::NodeType::Sequence);
-    for (const std::string& value : sweep_values(key, assignment.substr(equals + 1))) {
+    for (const std::string& value : sweep_values(key, text)) {
       values.push_back(parse_value(key, value));
     }
     lists.emplace_back(key, values);

@@ -11,6 +11,7 @@
 
 #include "scene/scene_parameters.hpp"
 #include "tools/pareto.hpp"
+#include "tools/progress_bar.hpp"
 #include "tools/table.hpp"
 #include "tools/work_precision.hpp"
 
@@ -101,7 +102,12 @@ std::string name_of(const Measurement& one) {
 
 void compare(const Comparison& comparison, const WorkPrecision& task, Table& table) {
   std::map<std::string, std::vector<double>> ratios;
-  for (const Scene& scene : scenes_of(comparison, task.quick)) {
+  const std::vector<Scene> scenes = scenes_of(comparison, task.quick);
+  ProgressBar bar(fmt::format("work_precision: error {:.0e}", comparison.error), scenes.size(),
+                  "scenes");
+  std::size_t done = 0;
+  for (const Scene& scene : scenes) {
+    bar.show(done++);
     const double answer = reference_of(scene);
     std::vector<Measurement> list = measurements_of(scene, comparison, answer);
     for (Measurement& one : list) one.run(std::numeric_limits<double>::infinity());
@@ -117,6 +123,7 @@ void compare(const Comparison& comparison, const WorkPrecision& task, Table& tab
       ratios[name_of(one)].push_back(ratio);
     }
   }
+  bar.clear();
   for (const auto& [name, values] : ratios) {
     if (name == "verified auto") continue;
     fmt::print("error {:.0e}, eta* = {}: auto takes {:.3f} of the time of {} ({:.3f} ... {:.3f})\n",

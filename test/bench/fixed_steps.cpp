@@ -16,7 +16,9 @@
 #include "mechanics/simulation.hpp"
 #include "run/compose.hpp"
 #include "run/resolution.hpp"
+#include "scene/keys.hpp"
 #include "scene/scene_parameters.hpp"
+#include "scene/short_keys.hpp"
 #include "tools/program.hpp"
 
 namespace impact {
@@ -24,7 +26,7 @@ namespace {
 
 Scene scene_of(const std::string& file, const std::vector<std::string>& assignments) {
   FlatTree keys = load_keys(file);
-  for (const std::string& assignment : assignments) override_key(keys, assignment);
+  override_keys(keys, assignments);
   return parse_scene(keys);
 }
 

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "input.hpp"
+#include "scene/keys.hpp"
 #include "scene/scene_parameters.hpp"
 
 namespace impact {

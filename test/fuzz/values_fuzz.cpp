@@ -1,7 +1,9 @@
 // Any bytes as a line of key=values, for impact and for sweep: scenes, or one line of error.
 
 #include "input.hpp"
+#include "scene/keys.hpp"
 #include "scene/scene_parameters.hpp"
+#include "scene/short_keys.hpp"
 #include "tools/sweep_values.hpp"
 
 namespace impact {
@@ -17,7 +19,7 @@ void sweep(const FlatTree& scene, const std::string& assignment) {
 }
 
 void replace(FlatTree scene, const std::string& assignment) {
-  override_key(scene, assignment);
+  override_keys(scene, {assignment});
   for (const auto& [key, values] : lists_of(scene)) {
     if (values.size() > kEnough) return;
   }

@@ -1,8 +1,10 @@
 #!/usr/bin/python3
 """Bags that the simulation node writes itself, and bags of runs that were interrupted."""
 
+import json
 import os
 import random
+import re
 import signal
 import tempfile
 import unittest
@@ -47,6 +49,20 @@ class BagTest(unittest.TestCase):
         expected = impact('collision', SMALL_COLLISION)
         for key in IMPACT_RESULTS:
             self.assertEqual(run[key], expected[key], key)
+
+    def test_text_and_json_of_a_bag(self):
+        """The same numbers, with the digits that their errors allow."""
+        result, = self.simulate('collision', SMALL_COLLISION).runs
+        text = run_tool('analyse_bag', self.bag, '--text').stdout
+        found = re.search(r'\n  restitution e +(\S+) +± (\S+)\n', text)
+        self.assertAlmostEqual(float(found[1]), result['restitution'],
+                               delta=0.5 * result['restitution_error'])  # by rounding
+        self.assertAlmostEqual(float(found[2]), result['restitution_error'],
+                               delta=0.05 * result['restitution_error'])  # two digits
+        self.assertIn('messages on 4 topics, all that were published\n  bag ' + self.bag, text)
+        self.assertNotIn('fit:', text)  # one point shows no law
+        document = json.loads(run_tool('analyse_bag', self.bag, '--json').stdout)
+        self.assertEqual(document[self.namespace]['runs'], [result])
 
     def test_contact_without_subscribers(self):
         run, = self.simulate('contact', SMALL_CONTACT).runs

@@ -143,7 +143,7 @@ class ParametersTest(unittest.TestCase):
             self.assertNotIn('started roslaunch server', process.stdout())
 
     def test_launch_arguments(self):
-        self.assert_launch_refuses('collision.launch', 'velocty: unknown argument, allowed: ',
+        self.assert_launch_refuses('collision.launch', 'velocty: unknown argument (did you mean velocity?), allowed: ',
                                    'velocity', velocty=0.1)
         self.assert_launch_refuses('contact.launch', 'load.P: got 7, allowed: number in', P=7)
         self.assert_launch_refuses('absorbing_wall.launch', 'wall.boundary: got soft',

@@ -92,7 +92,8 @@ TEST(ReadParameters, NamesKeyValueAndWhatIsAllowed) {
   EXPECT_INPUT_ERROR(read("{round: 2}"), "round: got 2, allowed: true or false");
   EXPECT_INPUT_ERROR(read("{colour: blue}"), "colour: got blue, allowed: red or green");
   EXPECT_INPUT_ERROR(read("{names: a}"), "names: got a, allowed: list of texts");
-  EXPECT_INPUT_ERROR(read("{sise: 1}"), "sise: unknown key, allowed: size, body.weight, count");
+  EXPECT_INPUT_ERROR(read("{sise: 1}"),
+                     "sise: unknown key (did you mean size?), allowed: size, body.weight, count");
   EXPECT_INPUT_ERROR(read("{body: 3}"), "body: unknown key");
   EXPECT_INPUT_ERROR(read("[1, 2]"), "got [1, 2], allowed: a map");
 }
@@ -161,6 +162,12 @@ TEST(CellText, IsAsInC) {
 TEST(MarkdownTable, HasARowAParameter) {
   const std::string rows = markdown_table(table(), Thing{});
   EXPECT_NE(rows.find("| `size` | number in (0, 1] | m | `0.5` | how large |\n"), std::string::npos)
+      << rows;
+}
+
+TEST(ParameterList, HasValueUnitAndWhatIsAllowed) {
+  const std::string rows = parameter_list(table(), Thing{});
+  EXPECT_NE(rows.find("  size = 0.5 m  (number in (0, 1])\n      how large\n"), std::string::npos)
       << rows;
 }
 

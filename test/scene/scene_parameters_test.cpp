@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "expect_input_error.hpp"
+#include "scene/keys.hpp"
 
 namespace impact {
 namespace {
@@ -203,34 +204,6 @@ TEST(ToYaml, ReadsBackAnElasticWallAndAStretch) {
 TEST(ParseScene, RefusesSpeedsThatRoundingWouldSwallow) {
   EXPECT_INPUT_ERROR(parse("{scene: collision, impact: {velocity: 1.0e-300}}"),
                      "impact.velocity: got 1.0e-300, allowed: number in [1e-09, 1]");
-}
-
-TEST(OverrideKey, ReplacesOneKey) {
-  FlatTree tree = keys("{scene: collision, impact: {velocity: 0.01}}");
-  override_key(tree, "impact.velocity=0.05");
-  override_key(tree, "seed=7");
-  EXPECT_EQ(parse_scene(tree).impact.velocity, 0.05);
-  EXPECT_EQ(parse_scene(tree).seed, 7U);
-  EXPECT_INPUT_ERROR(override_key(tree, "seed"), "seed: allowed: key=value");
-  EXPECT_INPUT_ERROR(override_key(tree, "seed=[1"), "seed: ");
-  EXPECT_INPUT_ERROR(override_key(tree, "seed=1\n...\n2"), "seed: allowed: one YAML document");
-  EXPECT_INPUT_ERROR(override_key(tree, "seed=,"), "seed: allowed: one YAML document");
-  EXPECT_INPUT_ERROR(override_key(tree, std::string("seed=1\0", 7)),
-                     "seed: got the control character \\x00");
-  EXPECT_INPUT_ERROR(override_key(tree, "seed=1\x04"), "seed: got the control character \\x04");
-}
-
-TEST(LoadKeys, SaysWhyAFileCannotBeUsed) {
-  EXPECT_INPUT_ERROR(load_keys("/nowhere/scene.yaml"), "cannot be read");
-  const std::string path = testing::TempDir() + "broken_scene.yaml";
-  std::ofstream(path) << "scene: collision\nimpact: {velocity: 0.01\n";
-  EXPECT_INPUT_ERROR(load_keys(path), "broken_scene.yaml:3: ");
-  for (const char* const second : {"---\nscene: contact\n", "...\nscene: contact\n"}) {
-    std::ofstream(path) << "scene: collision\n" << second;
-    EXPECT_INPUT_ERROR(load_keys(path), "broken_scene.yaml: allowed: one YAML document");
-  }
-  std::ofstream(path) << "---\nscene: collision\n...\n";
-  EXPECT_EQ(load_keys(path).size(), 1U);
 }
 
 class SceneFiles : public testing::TestWithParam<const char*> {};

@@ -6,14 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "scene/keys.hpp"
 #include "scene/scene_parameters.hpp"
+#include "scene/short_keys.hpp"
 
 namespace impact {
 namespace {
 
 Scene scene_of(const std::string& file, const std::vector<std::string>& assignments) {
   FlatTree keys = load_keys(SOURCE_DIR "/launch/scenes/" + file + ".yaml");
-  for (const std::string& assignment : assignments) override_key(keys, assignment);
+  override_keys(keys, assignments);
   return parse_scene(keys);
 }
 

@@ -8,7 +8,9 @@
 #include <sstream>
 #include <vector>
 
+#include "scene/keys.hpp"
 #include "scene/scene_parameters.hpp"
+#include "scene/short_keys.hpp"
 
 namespace impact {
 namespace {
@@ -128,7 +130,7 @@ TEST(ImpactCommand, RepeatsTheScene) {
     words >> program >> file;
     EXPECT_EQ(program, "impact");
     FlatTree keys = load_keys(std::string(SOURCE_DIR "/") + file);
-    for (std::string word; words >> word;) override_key(keys, word);
+    for (std::string word; words >> word;) override_keys(keys, {word});
     EXPECT_EQ(to_yaml(parse_scene(keys)), to_yaml(scene));
   }
 }

@@ -23,22 +23,22 @@ TEST(Summary, GivesMeanAndStandardErrorOverSeeds) {
   EXPECT_EQ(
       summary(rows),
       "impact.velocity  runs  restitution  std_error  contact_duration  std_error  flagged\n"
-      "           0.01     3     0.700000       0.12           5.00000        0.0        1\n"
-      "      0.0212346     1     0.250000          -           5.00000          -        0\n");
+      "           0.01     3         0.70       0.12                 5          0        1\n"
+      "      0.0212346     1         0.25          -                 5          -        0\n");
 }
 
 TEST(Summary, LeavesOutRunsWithoutAResult) {
   const std::string text = summary({row(1, 0.01, 0.5), row(2, 0.01, std::nan(""), "failed: x")});
   EXPECT_EQ(text,
             "runs  restitution  std_error  contact_duration  std_error  flagged\n"
-            "   2     0.500000          -           5.00000        0.0        1\n");
+            "   2          0.5          -                 5          0        1\n");
 }
 
 TEST(Summary, HasALineARunWithoutSeveralSeeds) {
   EXPECT_EQ(summary({row(1, 0.01, 0.5), row(1, 0.02, 0.25, "step_reduced")}),
             "impact.velocity  restitution  contact_duration         flags\n"
-            "           0.01     0.500000           5.00000             -\n"
-            "           0.02     0.250000           5.00000  step_reduced\n");
+            "           0.01          0.5                 5             -\n"
+            "           0.02         0.25                 5  step_reduced\n");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "nodes/disk_elasticity.hpp"
+#include "scene/disk_elasticity.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,7 @@
+#include "scene/version.hpp"
+
+namespace impact {
+
+const char* version() { return LATTICE_IMPACT_VERSION; }
+
+}  // namespace impact

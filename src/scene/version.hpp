@@ -1,0 +1,8 @@
+#pragma once
+
+namespace impact {
+
+/// That of package.xml.
+const char* version();
+
+}  // namespace impact
