@@ -266,10 +266,12 @@ YAML::Node write_parameters(const std::vector<Parameter<T>>& table, const T& tar
 /// The table as Markdown, with the values of `defaults`, for doc/parameters.md.
 template <class T>
 std::string markdown_table(const std::vector<Parameter<T>>& table, const T& defaults) {
-  std::string rows = "| key | allowed | unit | default | meaning |\n|---|---|---|---|---|\n";
+  std::string rows = "| key | default | allowed | meaning |\n|---|---|---|---|\n";
   for (const Parameter<T>& parameter : table) {
-    rows += fmt::format("| `{}` | {} | {} | `{}` | {} |\n", parameter.key, parameter.allowed,
-                        parameter.unit, one_line(parameter.write(defaults)), parameter.meaning);
+    const std::string unit = parameter.unit == "-" ? "" : " " + parameter.unit;
+    rows += fmt::format("| `{}` | `{}` | {}{} | {} |\n", parameter.key,
+                        one_line(parameter.write(defaults)), parameter.allowed, unit,
+                        parameter.meaning);
   }
   return rows;
 }
