@@ -27,7 +27,7 @@ constexpr double kStagnation = 0.7;
 constexpr std::size_t kRunsToCompare = 3;
 constexpr std::size_t kErraticRunsToCompare = 5;
 constexpr std::size_t kRunsThatShowAnOrder = 4;
-/// The part of numerics.error that an estimate may be which a fourth run has not confirmed.
+/// The largest estimate, over numerics.error, that is accepted without a fourth run.
 constexpr double kUnconfirmed = 0.1;
 constexpr int kMostFailures = 4;
 
