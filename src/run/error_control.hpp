@@ -114,7 +114,7 @@ class ErrorControl {
   void shorten(double factor);
   bool accepts_contact(const Run& run);
   bool starts_too_near(const FinishedImpact& run);
-  void note_manners(const FinishedImpact& run);
+  void note_irregularities(const FinishedImpact& run);
   std::size_t runs_needed() const;
   double rounding(const FinishedImpact& run) const;
   double way_in(double step) const;
