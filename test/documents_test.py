@@ -28,8 +28,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 PAGES = ['README.md'] + sorted('doc/' + name for name in os.listdir(os.path.join(ROOT, 'doc'))
                                if name.endswith('.md'))
 # Pages that are being written.
-TO_COME = {'CITATION.cff', 'doc/formats.md', 'doc/install.md', 'doc/plots.md', 'doc/units.md',
-           'doc/viewing.md'}
+TO_COME = {'doc/formats.md', 'doc/plots.md', 'doc/units.md', 'doc/viewing.md'}
 TIMEOUT = 120  # s, far above what any of them takes
 
 # --- what to do with a command -----------------------------------------------------------------
@@ -89,7 +88,7 @@ FEW_SEEDS = (r'seed=1:\d+:\d+', 'seed=1:2:2')
 RULES = (
     (r'bash (launch/demo|test/run)\.sh', only_find),
     (r'(sudo )?(apt|apt-get|dpkg) ', pass_over),
-    (r'(source|\.) |cmake |ctest |git |roscore|cd |make |catkin_make', pass_over),
+    (r'(source|\.) |cmake |ctest |git |roscore|\(?cd |cpack|make |catkin_make', pass_over),
     (r'mkdir |cat > |A=', run()),
     (r'(LATTICE_IMPACT_WRITE_DOCUMENTS=1 )?build/test/test_\w+ ', only_list),
     (r'(taskset -c 0 )?(build/test/bench_|test/bench/)\w+', only_find),
@@ -209,6 +208,8 @@ class Page:
     def shell(self, command, codes=(0,)):
         """Runs it. Variables that it sets are there for the commands after it."""
         command = re.sub(r'rosrun lattice_impact (\w+)', lambda match: program(match[1]), command)
+        if 'build/demo.bag' in command:
+            command = command.replace('build/demo.bag', RECORDING.result())
         script = 'set -a; . {0}\n{1}\ncode=$?; set | grep "^[A-Z]=" > {0}; exit $code'.format(
             self._variables, command)
         done = subprocess.run(['bash', '-c', script], cwd=self.folder, stdin=subprocess.DEVNULL,
