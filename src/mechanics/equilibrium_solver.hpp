@@ -24,7 +24,7 @@ template <class Scalar>
 class BasicEquilibriumSolver {
  public:
   static constexpr int kSearches = std::is_same_v<Scalar, LaneScalar> ? kLanes : 1;
-  /// Each in the lane where it has been since its beginning. nullptr: nobody.
+  /// Each in the lane where it has been since its beginning. nullptr: an empty lane.
   using Searches = std::array<EquilibriumSearch*, kSearches>;
 
   /// One iteration in each search that has not finished.

@@ -42,7 +42,7 @@ LaneBundle::~LaneBundle() {
   }
 }
 
-void LaneBundle::board(LaneMotion& motion) {
+void LaneBundle::add(LaneMotion& motion) {
   auto* const free = std::find(motions_.begin(), motions_.end(), nullptr);
   const auto lane = static_cast<int>(free - motions_.begin());
   field_.set_lane(lane, motion.field_);
@@ -54,7 +54,7 @@ void LaneBundle::board(LaneMotion& motion) {
   motion.bundle_ = this;
   motion.lane_ = lane;
   *free = &motion;
-  ++on_board_;
+  ++occupied_;
   look_at_speeds();
 }
 
@@ -64,7 +64,7 @@ void LaneBundle::leave(LaneMotion& motion) {
   motions_[static_cast<std::size_t>(motion.lane_)] = nullptr;
   step_size_(motion.lane_) = 0.0;
   field_.clear_lane(motion.lane_);
-  --on_board_;
+  --occupied_;
 }
 
 void LaneBundle::step() {
@@ -75,7 +75,7 @@ void LaneBundle::step() {
     step_size_(motion->lane_) = motion->step_size();
     if (needs_common_step_ && motion->halvings() > halvings) leave(*motion);
   }
-  if (on_board_ == 0) return;
+  if (occupied_ == 0) return;
   const std::uint64_t evaluations = field_.evaluations;
   const LaneLosses lost = integrator_->step(field_, state_, step_size_);
   for (LaneMotion* const motion : motions_) {

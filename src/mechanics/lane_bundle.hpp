@@ -22,7 +22,7 @@ class LaneMotion : public Motion {
   /// Leaves the bundle.
   ~LaneMotion() override;
 
-  bool is_on_board() const { return bundle_ != nullptr; }
+  bool is_in_bundle() const { return bundle_ != nullptr; }
   const State& state() const override;
   double kinetic_energy() const override;
 
@@ -51,14 +51,14 @@ class LaneBundle {
   /// All leave, as they are.
   ~LaneBundle();
 
-  bool is_full() const { return on_board_ == kLanes; }
+  bool is_full() const { return occupied_ == kLanes; }
 
   /// Puts a motion in a free lane, where it stays until it leaves, to the end of its life or of
   /// the bundle's at most.
-  void board(LaneMotion& motion);
+  void add(LaneMotion& motion);
   void leave(LaneMotion& motion);
 
-  /// A step of every motion on board. One whose step has to be halved, when the integrator needs a
+  /// A step of every motion in it. One whose step has to be halved, when the integrator needs a
   /// common one, leaves instead.
   void step();
 
@@ -76,7 +76,7 @@ class LaneBundle {
   bool needs_common_step_;
   LaneNumbers step_size_ = LaneNumbers::Zero();
   std::array<LaneMotion*, kLanes> motions_{};
-  int on_board_ = 0;
+  int occupied_ = 0;
 };
 
 }  // namespace impact

@@ -12,10 +12,11 @@ namespace impact {
 
 /// A scene in motion: its state, the forces on it and its step.
 ///
-/// The wall grows stiffer the deeper a point is pressed into it. Before each step the integrator's
-/// stability bound is looked at with 1.5 times the stiffness a F of the largest force that a point
-/// may meet in that step, F exp(a v h) with the greatest speed v at which a point of the disk and
-/// one of the wall may approach. The step is halved from there on while it exceeds the bound.
+/// The wall grows stiffer the deeper a point is pressed into it. So the integrator's stability
+/// bound is checked before each step, with 1.5 times the stiffness a F of the largest force that a
+/// point may meet in that step: F exp(a v h), v being the greatest speed at which a point of the
+/// disk and one of the wall may approach each other. While the step exceeds the bound, it is halved
+/// for good.
 class Motion {
  public:
   /// Times the stiffness of the wall: for what the force may grow beyond the forecast.

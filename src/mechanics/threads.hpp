@@ -13,8 +13,8 @@ inline int& threads_in_a_run() {
 }
 
 /// Calls work(0) … work(count − 1) on several threads (oneTBB), of which the calling one is one.
-/// They take what is left piece by piece and sleep while there is nothing, so that one that other
-/// programs slow down does less, and none takes processor time from others by waiting.
+/// Each takes the next piece of work when it is free and sleeps when there is none. So a thread
+/// that other programs slow down does less, and waiting costs no processor time.
 /// @param threads at most so many; 0: as threads_in_a_run().
 void share_out(Eigen::Index count, int threads, const std::function<void(Eigen::Index)>& work);
 

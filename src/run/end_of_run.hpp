@@ -17,7 +17,7 @@ class EndOfRun {
   virtual bool reached(const Motion& motion) = 0;
   /// The flag of a run that is given up before its end is reached.
   virtual const char* flag_if_given_up() const = 0;
-  /// What the end may take although nothing stands in its way, in R/c.
+  /// Extra time (R/c) that the end may take although the run is going well.
   virtual double time_under_way() const { return 0.0; }
 };
 
@@ -56,7 +56,7 @@ class RestEnd : public EndOfRun {
   double next_look_ = 0.0;
 };
 
-/// A static solution without motion is an end by itself.
+/// A static solution ends the run at once.
 class StaticEnd : public EndOfRun {
  public:
   bool reached(const Motion& /*motion*/) override { return true; }

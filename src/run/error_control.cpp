@@ -27,7 +27,7 @@ constexpr double kStagnation = 0.7;
 constexpr std::size_t kRunsToCompare = 3;
 constexpr std::size_t kErraticRunsToCompare = 5;
 constexpr std::size_t kRunsThatShowAnOrder = 4;
-/// The part of numerics.error that an estimate may be which a fourth run has not confirmed.
+/// The largest estimate, over numerics.error, that is accepted without a fourth run.
 constexpr double kUnconfirmed = 0.1;
 constexpr int kMostFailures = 4;
 
@@ -148,7 +148,7 @@ bool ErrorControl::accepts(const FinishedImpact& run) {
   }
   if (starts_too_near(run)) return false;
   runs_.push_back({resolution_, run.measured});
-  note_manners(run);
+  note_irregularities(run);
   if (runs_.size() < runs_needed()) {
     go_on(kRefinement);
     return false;
@@ -169,7 +169,7 @@ bool ErrorControl::starts_too_near(const FinishedImpact& run) {
   return true;
 }
 
-void ErrorControl::note_manners(const FinishedImpact& run) {
+void ErrorControl::note_irregularities(const FinishedImpact& run) {
   erratic_ = erratic_ || run.folded || run.cut_off;
   irregular_ = irregular_ || run.error_by_hops > scene_.numerics.error;
   likely_cause_ = run.folded    ? ": the lattice folds"

@@ -29,32 +29,35 @@ struct FinishedImpact {
   bool cut_off = false;
 };
 
-/// Sees to it that the answer of a scene, its restitution or strain, errs by no more than
-/// numerics.error: looks at each run when it is done, and asks for another one, more finely
-/// resolved, until the error is small enough.
+/// Keeps the error of a scene's answer, its restitution or strain, within numerics.error: examines
+/// each finished run, and asks for another one with a finer resolution until the error is small
+/// enough.
 ///
 /// Collision: at least three runs, each with steps 1.2 times shorter than the one before. The
-/// answer, e and all other numbers of the impact, is what converged() says of the last three:
-/// extrapolated to steps of no length where the three show the order of the method, else that of
-/// the finest run. A limit of three runs is believed to a tenth of numerics.error; above that a
-/// fourth has to confirm it. An order is not looked for
+/// answer, e and all other numbers of the impact, is what converged() gives for the last three:
+/// extrapolated to zero step if the three show the order of the method, else that of the finest
+/// run. A limit of three runs is accepted up to a tenth of numerics.error; above that a fourth run
+/// has to confirm it. An order is not looked for
 /// - where a point of the disk comes further towards the wall than half its range 1/a in a step,
 /// - where contacts pass from bond to bond, and what that does to their energy and to the direction
 ///   of their force could change e by numerics.error,
-/// - where the lattice folds, or the wall is cut off at wall.threshold: these scatter most, and
-///   five runs are compared,
+/// - where the lattice folds, or the wall is cut off at wall.threshold: these scatter most, so five
+///   runs are compared,
 /// - for an adaptive integrator, the tolerance of which stands for the square of a step.
-/// What the wall still holds at the end of a run is counted as velocity.
-/// To the error is added what the wall does before the start and after the end of a run,
-/// Run::tail_error(), what passing from bond to bond leaves open, since a step sees it late (what
-/// it could do to e, times a v h),
-/// and rounding, 16 ε √steps (ε: spacing of doubles): twice to ten times the
-/// scatter of e for other wall.V0, v = 10⁻⁶ … 10⁻² c; where steps solve for damped velocities,
-/// 16 ε steps, since their rounding goes to one side: 4.5 ε a step was seen. A start that turns out
-/// too near to the wall, since little speed is left after the impact, is lifted.
 ///
-/// A run whose step was reduced on the way does not count. Where runs of a method of order 2 show
-/// that it needs more steps than expected, `auto` may go over to one of order 6.
+/// What the wall still holds at the end of a run is counted as velocity. Three things are added to
+/// the error:
+/// - what the wall does before the start and after the end of a run, Run::tail_error(),
+/// - what passing from bond to bond leaves open, since a step notices it late: its possible effect
+///   on e, times a v h,
+/// - rounding, 16 ε √steps (ε: spacing of doubles): two to ten times the scatter of e with other
+///   wall.V0, v = 10⁻⁶ … 10⁻² c; where steps solve for damped velocities, 16 ε steps, since their
+///   rounding goes to one side: 4.5 ε a step was seen.
+/// A start that turns out too near to the wall, since little speed is left after the impact, is
+/// raised.
+///
+/// A run whose step was reduced on the way does not count. If runs of a method of order 2 show that
+/// it needs more steps than expected, `auto` may go over to one of order 6.
 ///
 /// Contact: the strain of the state at rest against that after one more step of Newton's method,
 /// which converges quadratically, and the rounding of positions, 4 ε R.
@@ -111,7 +114,7 @@ class ErrorControl {
   void shorten(double factor);
   bool accepts_contact(const Run& run);
   bool starts_too_near(const FinishedImpact& run);
-  void note_manners(const FinishedImpact& run);
+  void note_irregularities(const FinishedImpact& run);
   std::size_t runs_needed() const;
   double rounding(const FinishedImpact& run) const;
   double way_in(double step) const;

@@ -12,7 +12,7 @@
 
 namespace impact {
 
-/// A disk that flies away from a flat wall, as far as it is known.
+/// What is known of a disk that flies away from a flat wall.
 struct Flight {
   double height;             ///< of the centre of mass above the wall's surface, R
   double velocity;           ///< of the centre of mass away from the surface, c
@@ -29,12 +29,12 @@ struct WallAbove {
   double limit = 0.0;      ///< energy that counts as none, M c²
 };
 
-/// Whether the wall's energy stays below the limit. The lattice is not turned by the angle φ before
-/// the time φ/spin. So it is enough that at all angles up to a turn in each direction the turned
-/// reference lattice (about its centre of mass), raised by velocity · φ/spin and lowered by the
-/// swing, has less energy. No height changes faster than by the distance of the outermost point
-/// from the centre of mass per rad, which gives the steps in which angles are tried. False also
-/// where 200 steps do not decide.
+/// Whether the wall's energy stays below the limit. The lattice cannot be turned by the angle φ
+/// before the time φ/spin. So it is enough to show, for all angles up to one turn in each
+/// direction, that the turned reference lattice (about its centre of mass) has less energy when
+/// raised by velocity · φ/spin and lowered by the swing. Per rad, no height changes by more than
+/// the distance of the outermost point from the centre of mass; this sets the steps of the angle.
+/// Also false if 200 steps do not decide.
 bool stays_above(const PointArray& reference, const Flight& flight, const WallAbove& wall);
 
 /// What is left of a disk's motion besides the velocity of its centre of mass.
@@ -43,7 +43,7 @@ struct InnerMotion {
   double angular_momentum;  ///< M c R
 };
 
-/// Bounds of what a free disk can do, without end.
+/// Bounds of the motion of a free disk, for all time.
 struct InnerBounds {
   bool hold;                 ///< false: too much energy for the bounds of first order
   double counter_clockwise;  ///< as in Flight
@@ -83,8 +83,8 @@ class FreeFlight {
  public:
   FreeFlight(Scene scene, std::shared_ptr<const Bodies> bodies);
 
-  /// Whether the wall's energy will stay below this fraction of M V²/2. False where the disk does
-  /// not fly away, and where it is not sure.
+  /// Whether the wall's energy will stay below this fraction of M V²/2. False if the disk does not
+  /// fly away, or if that cannot be shown.
   bool is_for_good(const Motion& motion, double fraction);
 
   InnerBounds bounds(const InnerMotion& motion) const;

@@ -29,8 +29,8 @@ class Run {
       : Run(scene, composition, composition->resolution) {}
   Run(const Scene& scene, const std::shared_ptr<const Composition>& composition,
       const Resolution& resolution);
-  /// Of a motion, made by the same resolution, or a search for equilibrium that is moved from
-  /// outside: then observe_step() is called, not advance().
+  /// For a motion with the same resolution, or a search for equilibrium, that the caller advances:
+  /// then observe_step() is called, not advance().
   Run(const Scene& scene, std::shared_ptr<const Composition> composition,
       const Resolution& resolution, std::unique_ptr<Motion> motion);
 
@@ -66,18 +66,18 @@ class Run {
 
   ContactReports take_contact_reports() { return recorder_.take(*motion_); }
 
-  /// See EnergyMonitor; looked at every 64 steps, at the end and, as soon as the kinetic energy
-  /// alarms, at every fourth.
+  /// See EnergyMonitor. Checked every 64 steps, at the end and, once the kinetic energy is
+  /// alarming, every fourth step.
   double energy_error() const { return monitor_.error(); }
 
-  /// What a reader should know of the run: `starts_in_wall` (the wall's energy at the start exceeds
-  /// what numerics.error allows), `cut_off` (the wall's energy is not negligible at wall.threshold,
-  /// where it ends abruptly: see negligible_wall_energy()), `step_reduced` (the wall grew too stiff
-  /// for the step, which was halved), `energy_error` (above numerics.error, where the
-  /// scene gives step or tolerance, so that no error control looks after the answer), `folded` (a
-  /// triangle of a lattice turned over at one of the looks that are taken every 64 steps and at the
-  /// end), `beside_wall` (at one of those looks a part of the disk lay beside an elastic wall,
-  /// where one that went on would have held more energy than numerics.error allows: the wall is too
+  /// What a reader should know of the run (doc/results.md). Checks are made every 64 steps and at
+  /// the end. `starts_in_wall` (the wall's energy at the start exceeds what numerics.error allows),
+  /// `cut_off` (the wall's energy is not negligible at wall.threshold, where it ends abruptly: see
+  /// negligible_wall_energy()), `step_reduced` (the wall grew too stiff for the step, which was
+  /// halved), `energy_error` (above numerics.error in a scene that gives step or tolerance and so
+  /// has no error control), `folded` (a triangle of a lattice had turned over at a check),
+  /// `beside_wall` (at a check a part of the disk lay beside an elastic wall, where a wider one
+  /// would have held more energy than numerics.error allows: the wall is too
   /// narrow), `hops` (EnergyLedger::hops_size exceeds 1 % of the impact's energy), `charge_ignored`
   /// (of a file), `floppy` (a lattice from a file that can change its shape without a change of a
   /// bond), `several_rests` (see rests_elsewhere()), `not_separated` or `not_at_rest` (given up).

@@ -40,12 +40,12 @@ struct Interval {
 };
 
 /// One parameter of the struct `T`: the single place from which its validation, its writing and
-/// its line in the README come.
+/// its line in doc/parameters.md come.
 template <class T>
 struct Parameter {
   std::string key;      ///< dotted path
   std::string unit;     ///< "-" for none
-  std::string allowed;  ///< type and range, as shown in errors and in the README
+  std::string allowed;  ///< type and range, as shown in errors and in the page
   std::string meaning;
   /// False when this parameter does not exist for this struct (a load in a collision).
   std::function<bool(const T&)> applies = [](const T&) { return true; };
@@ -267,13 +267,15 @@ YAML::Node write_parameters(const std::vector<Parameter<T>>& table, const T& tar
   return root;
 }
 
-/// The table as Markdown, with the values of `defaults`, for the README.
+/// The table as Markdown, with the values of `defaults`, for doc/parameters.md.
 template <class T>
 std::string markdown_table(const std::vector<Parameter<T>>& table, const T& defaults) {
-  std::string rows = "| key | allowed | unit | default | meaning |\n|---|---|---|---|---|\n";
+  std::string rows = "| key | default | allowed | meaning |\n|---|---|---|---|\n";
   for (const Parameter<T>& parameter : table) {
-    rows += fmt::format("| `{}` | {} | {} | `{}` | {} |\n", parameter.key, parameter.allowed,
-                        parameter.unit, one_line(parameter.write(defaults)), parameter.meaning);
+    const std::string unit = parameter.unit == "-" ? "" : " " + parameter.unit;
+    rows += fmt::format("| `{}` | `{}` | {}{} | {} |\n", parameter.key,
+                        one_line(parameter.write(defaults)), parameter.allowed, unit,
+                        parameter.meaning);
   }
   return rows;
 }

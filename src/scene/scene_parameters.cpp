@@ -192,7 +192,7 @@ Table task_keys() {
 Table numerics_keys() {
   return {choice<Scene, IntegratorKind>(
               "numerics.integrator", integrator_names(),
-              "method, see \"Integrator and step\"; auto: the fastest that gives the answer to "
+              "method (integrators.md); auto: the fastest that gives the answer to "
               "within the wanted error",
               [](auto& s) -> auto& { return s.numerics.integrator; }),
           only(is_moved, real_or_auto<Scene>(

@@ -101,16 +101,16 @@ void break_off_if_stopped(const Workers& workers, const SeriesFile& file) {
 }
 
 /// Equal for scenes that can be simulated side by side if they can be in lanes at all.
-std::string key_of_company(const Scene& scene) {
+std::string lane_group_key(const Scene& scene) {
   return (scene.is_static() ? "static " : "") + key_of_bodies(scene);
 }
 
-/// The scenes that go into lanes: those in so large a company that lanes pay. By their company.
-std::map<std::string, std::vector<std::size_t>> companies(const std::vector<Scene>& scenes) {
+/// The scenes that go into lanes, by group: those in groups large enough for lanes to pay.
+std::map<std::string, std::vector<std::size_t>> lane_groups(const std::vector<Scene>& scenes) {
   constexpr std::size_t kFewest = 3;
   std::map<std::string, std::vector<std::size_t>> groups;
   for (std::size_t row = 0; row < scenes.size(); ++row) {
-    if (can_be_in_lanes(scenes[row])) groups[key_of_company(scenes[row])].push_back(row);
+    if (can_be_in_lanes(scenes[row])) groups[lane_group_key(scenes[row])].push_back(row);
   }
   for (auto group = groups.begin(); group != groups.end();) {
     group = group->second.size() < kFewest ? groups.erase(group) : std::next(group);
@@ -118,8 +118,8 @@ std::map<std::string, std::vector<std::size_t>> companies(const std::vector<Scen
   return groups;
 }
 
-/// How many scenes of one group a task takes: enough that lanes are seldom empty, not so many that
-/// a thread has none, nor that they fill the memory.
+/// How many scenes of one group a task takes: enough to keep the lanes full, but few enough to
+/// leave work for every thread and to fit into memory.
 std::size_t most_in_task(const Scene& scene, std::size_t scenes, int jobs) {
   constexpr std::size_t kMost = 96;
   constexpr std::size_t kMostPoints = 200000;  // in all
@@ -135,7 +135,7 @@ std::vector<Task> missing_tasks(const SeriesFile& file, int jobs) {
   const std::size_t known = file.rows().size();
   std::vector<Task> tasks;
   std::vector<bool> taken(scenes.size(), false);
-  const auto groups = companies(scenes);
+  const auto groups = lane_groups(scenes);
   const std::size_t in_lanes =
       std::accumulate(groups.begin(), groups.end(), std::size_t{0},
                       [](std::size_t sum, const auto& group) { return sum + group.second.size(); });

@@ -23,7 +23,8 @@ namespace {
 
 /// With more points the memory is too slow for lanes, as bench_runs measures.
 constexpr Eigen::Index kMostPoints = 20000;
-/// A step of as many searches for equilibrium in lanes takes as long as one of so many single ones.
+/// A step of a full bundle of searches for equilibrium takes as long as a step of this many single
+/// ones.
 constexpr std::size_t kFewestSearches = 3;
 constexpr int kCheckSteps = 64;
 /// Time of a step of a bundle, in steps of one run, as test/bench/compare_lammps and bench_runs
@@ -38,9 +39,9 @@ double seconds_since(Clock::time_point begin) {
 
 struct Candidate;
 
-/// A run in lanes. It belongs to its candidate, to be there when the experiment asks for it, or
-/// since it did to the experiment.
-struct Ride {
+/// A run in lanes. It starts before the experiment asks for it; until then its candidate keeps the
+/// Run, afterwards the experiment does.
+struct LaneRun {
   Candidate* candidate;
   Resolution resolution;
   LaneMotion* motion;
@@ -48,21 +49,21 @@ struct Ride {
   bool cancelled = false;
 };
 
-/// A scene on its way to its answer, by rides or, if it is static, by a search.
+/// A scene on its way to its answer, by runs in lanes or, if it is static, by a search.
 struct Candidate {
   std::size_t place;  ///< of the scene
   std::shared_ptr<const Composition> composition;
   EquilibriumSearch* search = nullptr;
-  std::deque<Ride> rides{};
-  Ride* present = nullptr;    ///< of the experiment's run
-  std::deque<Ride*> ahead{};  ///< of the runs that will be asked for next, in their order
+  std::deque<LaneRun> lane_runs{};
+  LaneRun* present = nullptr;    ///< of the experiment's run
+  std::deque<LaneRun*> ahead{};  ///< of the runs that will be asked for next, in their order
   std::unique_ptr<Experiment> experiment{};
   double wall_time = 0.0;  ///< s
   std::string failure{};   ///< why it cannot go on
 };
 
 /// What motions must have in common to be in one bundle, besides their bodies.
-struct Company {
+struct BundleKey {
   IntegratorKind integrator;
   LaneField::Kind kind;
   bool needs_common_step;
@@ -70,15 +71,15 @@ struct Company {
   double eta;   ///< M c/R; 0 where it does not matter
 
   auto keys() const { return std::tie(integrator, kind.cubic, kind.damped, step, eta); }
-  bool operator<(const Company& other) const { return keys() < other.keys(); }
+  bool operator<(const BundleKey& other) const { return keys() < other.keys(); }
 };
 
-Company company_of(const Ride& ride) {
-  const IntegratorKind integrator = ride.resolution.integrator;
-  const ForceField& field = ride.motion->field();
+BundleKey bundle_key_of(const LaneRun& lane_run) {
+  const IntegratorKind integrator = lane_run.resolution.integrator;
+  const ForceField& field = lane_run.motion->field();
   const LaneField::Kind kind = LaneField::kind_of(field);
   const bool solves = kind.damped && solves_for_damping(integrator);
-  return {integrator, kind, solves, solves ? ride.motion->step_size() : 0.0,
+  return {integrator, kind, solves, solves ? lane_run.motion->step_size() : 0.0,
           solves ? field.bonds.law().eta : 0.0};
 }
 
@@ -123,25 +124,25 @@ class SideBySide {
   bool solve_by() {
     Solver solver;
     typename Solver::Searches searches{};
-    std::array<Candidate*, Solver::kSearches> on_board{};
+    std::array<Candidate*, Solver::kSearches> in_lanes{};
     auto next = candidates_.begin();
     for (;;) {
       since_ = Clock::now();
       for (std::size_t lane = 0; lane < searches.size() && next != candidates_.end(); ++lane) {
-        if (on_board[lane] != nullptr) continue;
-        on_board[lane] = &*next++;
-        searches[lane] = start_search(*on_board[lane]);
+        if (in_lanes[lane] != nullptr) continue;
+        in_lanes[lane] = &*next++;
+        searches[lane] = start_search(*in_lanes[lane]);
       }
       const auto taken = searches.size() - static_cast<std::size_t>(std::count(
-                                               on_board.begin(), on_board.end(), nullptr));
+                                               in_lanes.begin(), in_lanes.end(), nullptr));
       if (taken == 0) return true;
       solver.advance(searches);
       const double time = seconds_since(since_) / static_cast<double>(taken);
       for (std::size_t lane = 0; lane < searches.size(); ++lane) {
-        if (on_board[lane] == nullptr) continue;
-        on_board[lane]->wall_time += time;
-        if (observe_search(*on_board[lane])) continue;
-        on_board[lane] = nullptr;
+        if (in_lanes[lane] == nullptr) continue;
+        in_lanes[lane]->wall_time += time;
+        if (observe_search(*in_lanes[lane])) continue;
+        in_lanes[lane] = nullptr;
         searches[lane] = nullptr;
       }
       if (stop_()) return false;
@@ -160,7 +161,7 @@ class SideBySide {
     return candidate.search;
   }
 
-  /// Looks at the step that was made. False when it was the last one.
+  /// Observes the step that was made. False when it was the last one.
   bool observe_search(Candidate& candidate) {
     const auto begin = Clock::now();
     try {
@@ -180,8 +181,8 @@ class SideBySide {
     return outcome_.in_lanes ? run_in_lanes() : run_singly();
   }
 
-  /// Whether so many lanes will be taken for so long that a bundle is faster than single runs.
-  /// Since the results are the same to the last bit, this changes nothing but the time.
+  /// Whether enough lanes will be taken for long enough that a bundle is faster than single runs.
+  /// The results are the same to the last bit, so only the time depends on this.
   bool lanes_pay() const {
     double all = 0.0;
     double longest = 0.0;
@@ -225,7 +226,7 @@ class SideBySide {
     return true;
   }
 
-  /// Sets out for the first run and for those after it, as far as they are foreseen.
+  /// Starts the first run, and those after it as far as they are sure to be needed.
   void start(Candidate& candidate) {
     const auto begin = Clock::now();
     candidate.experiment =
@@ -234,29 +235,29 @@ class SideBySide {
                                        return next_run(candidate, resolution);
                                      });
     for (const Resolution& later : candidate.experiment->later_resolutions()) {
-      candidate.ahead.push_back(&new_ride(candidate, later));
+      candidate.ahead.push_back(&new_lane_run(candidate, later));
     }
     candidate.wall_time += seconds_since(begin);
   }
 
-  Ride& new_ride(Candidate& candidate, const Resolution& resolution) {
+  LaneRun& new_lane_run(Candidate& candidate, const Resolution& resolution) {
     const Composition& composition = *candidate.composition;
     auto motion = std::make_unique<LaneMotion>(composition.field, start_of(composition, resolution),
                                                composition.rates.lattice, resolution.step);
     LaneMotion* const in_lane = motion.get();
     Run run(scenes_[candidate.place], candidate.composition, resolution, std::move(motion));
-    candidate.rides.push_back({&candidate, resolution, in_lane, std::move(run)});
-    wait(candidate.rides.back());
-    return candidate.rides.back();
+    candidate.lane_runs.push_back({&candidate, resolution, in_lane, std::move(run)});
+    wait(candidate.lane_runs.back());
+    return candidate.lane_runs.back();
   }
 
-  /// The run that the experiment asks for: the one that went ahead, or else a new one.
+  /// The run that the experiment asks for: one that was started ahead, or else a new one.
   Run next_run(Candidate& candidate, const Resolution& resolution) {
     if (!candidate.ahead.empty() && !(candidate.ahead.front()->resolution == resolution)) {
       cancel(candidate);
     }
     if (candidate.ahead.empty()) {
-      candidate.present = &new_ride(candidate, resolution);
+      candidate.present = &new_lane_run(candidate, resolution);
     } else {
       candidate.present = candidate.ahead.front();
       candidate.ahead.pop_front();
@@ -267,84 +268,86 @@ class SideBySide {
   }
 
   static void cancel(Candidate& candidate) {
-    for (Ride* const ride : candidate.ahead) ride->cancelled = true;
+    for (LaneRun* const lane_run : candidate.ahead) lane_run->cancelled = true;
     candidate.ahead.clear();
   }
 
-  void wait(Ride& ride) { waiting_[company_of(ride)].push_back(&ride); }
+  void wait(LaneRun& lane_run) { waiting_[bundle_key_of(lane_run)].push_back(&lane_run); }
 
-  /// Until nobody waits for this company any more. False when told to stop.
-  bool advance(const Company company) {
+  /// Advances the runs that wait for such a bundle until none is left. False when told to stop.
+  bool advance(const BundleKey key) {
     LaneBundle bundle(
-        lattice_, 1.0 / static_cast<double>(bodies_->disk.points.rows()), company.kind,
-        [&] { return make_fixed<LaneField>(company.integrator); }, company.needs_common_step);
-    std::deque<Ride*>& queue = waiting_[company];
+        lattice_, 1.0 / static_cast<double>(bodies_->disk.points.rows()), key.kind,
+        [&] { return make_fixed<LaneField>(key.integrator); }, key.needs_common_step);
+    std::deque<LaneRun*>& queue = waiting_[key];
     since_ = Clock::now();
     for (int step = 1;; ++step) {
       if (!queue.empty() && !bundle.is_full()) fill(bundle, queue);
-      if (on_board_.empty()) break;
+      if (in_bundle_.empty()) break;
       bundle.step();
-      const auto departed = std::partition(on_board_.begin(), on_board_.end(), stays);
-      if (departed != on_board_.end()) {
+      const auto leaving = std::partition(in_bundle_.begin(), in_bundle_.end(), stays);
+      if (leaving != in_bundle_.end()) {
         share_time();
-        std::for_each(departed, on_board_.end(), [&](Ride* ride) { send_on(*ride, bundle); });
-        on_board_.erase(departed, on_board_.end());
+        std::for_each(leaving, in_bundle_.end(),
+                      [&](LaneRun* lane_run) { send_on(*lane_run, bundle); });
+        in_bundle_.erase(leaving, in_bundle_.end());
       }
       if (step % kCheckSteps == 0 && stop_()) return false;
     }
-    waiting_.erase(company);
+    waiting_.erase(key);
     return true;
   }
 
-  void fill(LaneBundle& bundle, std::deque<Ride*>& queue) {
+  void fill(LaneBundle& bundle, std::deque<LaneRun*>& queue) {
     share_time();
     for (; !queue.empty() && !bundle.is_full(); queue.pop_front()) {
-      Ride& ride = *queue.front();
-      if (ride.cancelled) {
-        ride.run.reset();
+      LaneRun& lane_run = *queue.front();
+      if (lane_run.cancelled) {
+        lane_run.run.reset();
         continue;
       }
-      bundle.board(*ride.motion);
-      on_board_.push_back(&ride);
+      bundle.add(*lane_run.motion);
+      in_bundle_.push_back(&lane_run);
     }
   }
 
-  /// Looks at the step that was made. False when the ride ends here or has to change.
-  static bool stays(Ride* ride) {
-    if (ride->cancelled || !ride->motion->is_on_board()) return false;
-    Candidate& candidate = *ride->candidate;
+  /// Observes the step that was made. False when the run ends here or has to go into another
+  /// bundle.
+  static bool stays(LaneRun* lane_run) {
+    if (lane_run->cancelled || !lane_run->motion->is_in_bundle()) return false;
+    Candidate& candidate = *lane_run->candidate;
     try {
-      if (ride->run) {
-        ride->run->observe_step();
-        return !ride->run->finished();
+      if (lane_run->run) {
+        lane_run->run->observe_step();
+        return !lane_run->run->finished();
       }
       candidate.experiment->observe_step();
     } catch (const RunFailure& failure) {
-      if (ride->run) {
+      if (lane_run->run) {
         cancel(candidate);  // it will fail again if it is asked for
       } else {
         candidate.failure = failure.what();
       }
       return false;
     }
-    return !candidate.experiment->finished() && candidate.present == ride;
+    return !candidate.experiment->finished() && candidate.present == lane_run;
   }
 
-  void send_on(Ride& ride, LaneBundle& bundle) {
-    Candidate& candidate = *ride.candidate;
-    if (ride.cancelled) {
-      ride.run.reset();
-    } else if (ride.run) {
-      if (ride.run->finished()) {
-        bundle.leave(*ride.motion);
+  void send_on(LaneRun& lane_run, LaneBundle& bundle) {
+    Candidate& candidate = *lane_run.candidate;
+    if (lane_run.cancelled) {
+      lane_run.run.reset();
+    } else if (lane_run.run) {
+      if (lane_run.run->finished()) {
+        bundle.leave(*lane_run.motion);
       } else {
-        wait(ride);
+        wait(lane_run);
       }
     } else if (!candidate.failure.empty() || candidate.experiment->finished()) {
       cancel(candidate);
       conclude(candidate);
-    } else if (candidate.present == &ride) {
-      wait(ride);
+    } else if (candidate.present == &lane_run) {
+      wait(lane_run);
     }
   }
 
@@ -362,8 +365,8 @@ class SideBySide {
 
   void share_time() {
     const double time = seconds_since(since_);
-    for (Ride* const ride : on_board_) {
-      ride->candidate->wall_time += time / static_cast<double>(on_board_.size());
+    for (LaneRun* const lane_run : in_bundle_) {
+      lane_run->candidate->wall_time += time / static_cast<double>(in_bundle_.size());
     }
     since_ = Clock::now();
   }
@@ -374,8 +377,8 @@ class SideBySide {
   std::shared_ptr<const Bodies> bodies_;
   Lattice lattice_;  ///< of all points
   std::deque<Candidate> candidates_;
-  std::map<Company, std::deque<Ride*>> waiting_;
-  std::vector<Ride*> on_board_;
+  std::map<BundleKey, std::deque<LaneRun*>> waiting_;
+  std::vector<LaneRun*> in_bundle_;
   Clock::time_point since_;  ///< time is shared out up to here
   SeriesOutcome outcome_;
 };

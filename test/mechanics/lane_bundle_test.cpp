@@ -97,7 +97,7 @@ void expect_same_in_lanes(const std::vector<Throw>& throws, bool needs_common_st
            (motions.size() < 3 || step >= 10 * static_cast<int>(motions.size()))) {
       singles.push_back(alone<I>(throws[motions.size()]));
       motions.push_back(in_lane(throws[motions.size()]));
-      all.board(*motions.back());
+      all.add(*motions.back());
       expect_same(*motions.back(), singles.back());
     }
     all.step();
@@ -148,8 +148,8 @@ TEST(LaneBundle, HalvesTheStepOfOneLane) {
   const auto motion = in_lane(hard);
   const auto other = in_lane({0.02});
   LaneBundle both = bundle<BasicVelocityVerlet>(hard);
-  both.board(*other);
-  both.board(*motion);
+  both.add(*other);
+  both.add(*motion);
   for (int step = 0; step < 100; ++step) {
     both.step();
     single.step();
@@ -165,19 +165,19 @@ TEST(LaneBundle, OneWhoseStepIsHalvedLeavesACommonOne) {
   const auto motion = in_lane(hard);
   const auto other = in_lane({0.02, 1.0, eta, 300.0, 0.03});
   LaneBundle both = bundle<BasicImplicitDamping>(hard, true);
-  both.board(*other);
-  both.board(*motion);
-  for (int step = 0; step < 100 && motion->is_on_board(); ++step) both.step();
-  EXPECT_FALSE(motion->is_on_board());
+  both.add(*other);
+  both.add(*motion);
+  for (int step = 0; step < 100 && motion->is_in_bundle(); ++step) both.step();
+  EXPECT_FALSE(motion->is_in_bundle());
   EXPECT_GT(motion->halvings(), 0);
-  EXPECT_TRUE(other->is_on_board());
+  EXPECT_TRUE(other->is_in_bundle());
 
   // In other bundles it goes on as alone.
   Simulation single = alone<BasicImplicitDamping>(hard);
   while (single.steps() < motion->steps()) single.step();
   for (int step = 0; step < 20; ++step) {
     LaneBundle next = bundle<BasicImplicitDamping>(hard, true);
-    next.board(*motion);
+    next.add(*motion);
     next.step();
   }
   while (single.steps() < motion->steps()) single.step();
@@ -194,7 +194,7 @@ TEST(LaneBundle, AMotionThatLeavesKeepsItsStateAndFreesItsLane) {
     for (auto& motion : motions) {
       EXPECT_FALSE(all.is_full());
       motion = in_lane(thrown);
-      all.board(*motion);
+      all.add(*motion);
     }
     EXPECT_TRUE(all.is_full());
     all.step();
@@ -203,7 +203,7 @@ TEST(LaneBundle, AMotionThatLeavesKeepsItsStateAndFreesItsLane) {
     all.step();
     position = motions[4]->state().position;
   }
-  EXPECT_FALSE(motions[4]->is_on_board());
+  EXPECT_FALSE(motions[4]->is_in_bundle());
   EXPECT_EQ(motions[4]->steps(), 2U);
   EXPECT_TRUE((motions[4]->state().position == position).all());
 }
@@ -217,8 +217,8 @@ TEST(LaneBundle, ABlowUpDoesNotSpread) {
   lost.position(5, 0) = std::nan("");
   LaneMotion blown_up(field_of(thrown), lost, spectrum_of(thrown), 0.01);
   LaneBundle both = bundle<BasicVelocityVerlet>(thrown);
-  both.board(blown_up);
-  both.board(*motion);
+  both.add(blown_up);
+  both.add(*motion);
   for (int step = 0; step < 50; ++step) {
     both.step();
     single.step();

@@ -3,33 +3,36 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
+#include <set>
 #include <string>
+
+#include "document.hpp"
 
 namespace impact {
 namespace {
 
-std::string content(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
+TEST(Documents, HaveTheParametersOfTheNodes) {
+  expect_document_has("parameters.md", "simulation node",
+                      markdown_table(simulation_node_parameters(), SimulationNodeParameters{}));
+  expect_document_has("parameters.md", "analysis node",
+                      markdown_table(analysis_node_parameters(), AnalysisNodeParameters{}));
+  expect_document_has("parameters.md", "recorder",
+                      markdown_table(recorder_node_parameters(), RecorderNodeParameters{}));
 }
 
-std::string readme() { return content(SOURCE_DIR "/README.md"); }
-
-TEST(Readme, HasTheTablesOfNodeParameters) {
-  for (const std::string& table :
-       {markdown_table(simulation_node_parameters(), SimulationNodeParameters{}),
-        markdown_table(analysis_node_parameters(), AnalysisNodeParameters{}),
-        markdown_table(recorder_node_parameters(), RecorderNodeParameters{})}) {
-    EXPECT_NE(readme().find(table), std::string::npos) << "README.md should hold\n" << table;
-  }
-}
-
-TEST(Readme, ShowsTheMessagesAsTheyAre) {
+/// All files of msg/, in alphabetical order.
+TEST(Documents, ShowTheMessagesAsTheyAre) {
+  std::set<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(SOURCE_DIR "/msg")) {
-    EXPECT_NE(readme().find(content(entry.path().string())), std::string::npos)
-        << "README.md should hold " << entry.path().filename();
+    files.insert(entry.path());
   }
+  std::string messages;
+  for (const auto& file : files) {
+    if (!messages.empty()) messages += "\n";
+    messages +=
+        "### " + file.stem().string() + "\n\n```text\n" + content_of(file.string()) + "```\n";
+  }
+  expect_document_has("topics.md", "messages", messages);
 }
 
 }  // namespace

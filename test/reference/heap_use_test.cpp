@@ -146,8 +146,8 @@ std::uint64_t allocations_in_lanes(TwoBodies bodies) {
   LaneBundle bundle(
       bodies.lattice, TwoBodies::kMass, LaneField::kind_of(bodies.field),
       [] { return std::make_unique<I<LaneField>>(); }, true);
-  bundle.board(first);
-  bundle.board(second);
+  bundle.add(first);
+  bundle.add(second);
   for (int k = 0; k < 10; ++k) bundle.step();
   const std::uint64_t found = allocations_of([&] {
     for (int k = 0; k < 100; ++k) bundle.step();

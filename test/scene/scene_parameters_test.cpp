@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
+#include "document.hpp"
 #include "expect_input_error.hpp"
 #include "scene/keys.hpp"
 
@@ -224,12 +223,9 @@ INSTANTIATE_TEST_SUITE_P(Launch, SceneFiles,
                          testing::Values("collision.yaml", "contact.yaml", "absorbing_wall.yaml",
                                          "stretch.yaml"));
 
-/// The README's table is the one from which the keys are validated.
-TEST(Readme, HasTheTableOfSceneKeys) {
-  std::ifstream file(SOURCE_DIR "/README.md");
-  const std::string readme{std::istreambuf_iterator<char>(file), {}};
-  const std::string table = markdown_table(scene_parameters(), Scene{});
-  EXPECT_NE(readme.find(table), std::string::npos) << "README.md should hold\n" << table;
+/// The page's table is the one from which the keys are validated.
+TEST(Documents, HaveTheSceneKeys) {
+  expect_document_has("parameters.md", "scene keys", markdown_table(scene_parameters(), Scene{}));
 }
 
 }  // namespace
