@@ -27,6 +27,6 @@ logged demo roslaunch lattice_impact collision.launch bag:="$bag"
 [ -e "$bag" ] || { tail -n 40 "$log_folder/demo.log" >&2; exit 1; }
 echo "  rosrun lattice_impact analyse_bag $bag"
 echo
-rosrun lattice_impact analyse_bag "$bag"
+rosrun lattice_impact analyse_bag --text "$bag"
 echo
 echo "In a new shell, first: source $PWD/devel/setup.bash"

@@ -11,7 +11,7 @@
 namespace impact {
 namespace {
 
-constexpr Scales kScales{Oscillator::kStretch, 2.0 * Oscillator::kStretch};
+constexpr Scales kOscillatorScales{Oscillator::kStretch, 2.0 * Oscillator::kStretch};
 
 class Rk8pdOscillation : public testing::TestWithParam<double> {};  // over damping rates
 
@@ -20,7 +20,7 @@ class Rk8pdOscillation : public testing::TestWithParam<double> {};  // over damp
 /// 0.1 for the scatter: the few long steps at loose tolerances do better than they have to.
 TEST_P(Rk8pdOscillation, ErrorFallsWithTheTolerance) {
   const double exponent = exponent_of_tolerance(
-      [](double tolerance) { return Rk8pd(tolerance, kScales); }, GetParam(), 10.0);
+      [](double tolerance) { return Rk8pd(tolerance, kOscillatorScales); }, GetParam(), 10.0);
   EXPECT_GT(exponent, 7.0 / 8.0 - 0.1);
   EXPECT_LT(exponent, 1.0 + 0.1);
 }
@@ -28,7 +28,7 @@ TEST_P(Rk8pdOscillation, ErrorFallsWithTheTolerance) {
 /// No more than the sum of the errors of all steps, at 13 evaluations each.
 TEST_P(Rk8pdOscillation, FollowsTheClosedForm) {
   for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
-    const Oscillation found = oscillate(Rk8pd(tolerance, kScales), GetParam(), 10.0, 10);
+    const Oscillation found = oscillate(Rk8pd(tolerance, kOscillatorScales), GetParam(), 10.0, 10);
     const double sum = static_cast<double>(found.evaluations) / 13.0 * tolerance;
     EXPECT_LT(found.error, sum);
     EXPECT_LT(found.defect, sum);
@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(Damping, Rk8pdOscillation, testing::Values(0.0, 0.2, 1.
 TEST(Rk8pd, TakesInAVelocityReset) {
   constexpr double kTolerance = 1e-9;
   Oscillator oscillator(0.2);
-  Rk8pd integrator(kTolerance, kScales);
+  Rk8pd integrator(kTolerance, kOscillatorScales);
   integrator.restart(oscillator.field, oscillator.state);
   integrator.step(oscillator.field, oscillator.state, 1.0);
   const double elongation = oscillator.elongation();
@@ -93,7 +93,7 @@ TEST(Rk8pd, EvaluatesTheFieldLastAtTheNewState) {
 TEST(Rk8pd, SaysInOneLineThatItCannotGoOn) {
   Oscillator oscillator(0.0);
   oscillator.state.position(0, 0) = std::nan("");
-  Rk8pd integrator(1e-6, kScales);
+  Rk8pd integrator(1e-6, kOscillatorScales);
   integrator.restart(oscillator.field, oscillator.state);
   try {
     integrator.step(oscillator.field, oscillator.state, 1.0);
@@ -107,7 +107,7 @@ TEST(Rk8pd, SaysInOneLineThatItCannotGoOn) {
 
 TEST(Rk8pd, GivesUpAfterTheStatedNumberOfSteps) {
   Oscillator oscillator(0.0);
-  Rk8pd integrator(1e-10, kScales, 3);
+  Rk8pd integrator(1e-10, kOscillatorScales, 3);
   integrator.restart(oscillator.field, oscillator.state);
   EXPECT_THROW(integrator.step(oscillator.field, oscillator.state, 100.0), std::runtime_error);
 }

@@ -8,10 +8,10 @@
 namespace impact {
 namespace {
 
-FlatTree keys(const std::string& yaml) { return flatten(YAML::Load(yaml)); }
+FlatTree keys_of(const std::string& yaml) { return flatten(YAML::Load(yaml)); }
 
 Scene scene_with(const std::string& yaml, const std::vector<std::string>& assignments) {
-  FlatTree tree = keys(yaml);
+  FlatTree tree = keys_of(yaml);
   override_keys(tree, assignments);
   return parse_scene(tree);
 }
@@ -48,12 +48,12 @@ TEST(OverrideKeys, KnowsTheKeysOfTheKindThatIsAskedFor) {
 }
 
 TEST(WithFullKeys, TakesLists) {
-  const auto full = with_full_keys(keys("{scene: collision}"),
+  const auto full = with_full_keys(keys_of("{scene: collision}"),
                                    {{"type", "potential,lattice"}, {"boundary", "fixed,viscous"}});
   EXPECT_EQ(full[0].first, "wall.type");
   EXPECT_EQ(full[1].first, "wall.boundary");
   EXPECT_EQ(full[1].second, "fixed,viscous");
-  EXPECT_EQ(with_full_keys(keys("{scene: collision, wall: {type: [potential, lattice]}}"),
+  EXPECT_EQ(with_full_keys(keys_of("{scene: collision, wall: {type: [potential, lattice]}}"),
                            {{"boundary", "fixed"}})[0]
                 .first,
             "wall.boundary");

@@ -184,7 +184,7 @@ def figure3_losses(folder):
         ax.set_xlim(min(curve["velocity"]), max(curve["velocity"]))
         ax.set_ylim(0, 1)
         ax.set_xlabel("$v/c$")
-        ax.set_title(rf"$\eta^* = {eta:g}$")
+        ax.set_title(rf"$\eta^* = {eta:g}$", fontsize=8)
     axes[0].set_ylabel("share of $1 - e^2$")
     letter(axes)
     legend_beside(axes[-1], [Patch(color=colour, label=part) for part, colour in PARTS.items()])
