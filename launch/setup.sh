@@ -49,10 +49,10 @@ install() {
   local needed
   needed=$(missing "$@")
   [ -n "$needed" ] || { echo "  all packages are there"; return; }
-  local apt_install="apt-get install -yq --no-install-recommends"
+  local apt_install="apt-get install -yqq --no-install-recommends"
   as_root true 2> /dev/null || { as_root $apt_install $needed; return 1; }
   logged apt_update as_root apt-get update -q
-  apt-get --print-uris -qq $apt_install $needed |
+  $apt_install --print-uris $needed |
     awk '{ size += $3 } END { printf "  %d packages, %.0f MB to download: a minute or two\n", NR, size / 1e6 }'
   logged apt_install as_root env DEBIAN_FRONTEND=noninteractive $apt_install $needed
 }
