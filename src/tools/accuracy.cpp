@@ -16,8 +16,8 @@ namespace impact {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kMostWork = 1e9;  // points times force evaluations
-constexpr double kKnown = 0.1;     // of the wanted error, what the reference may err by
+constexpr double kMostWorkOfAnswer = 1e9;  // points times force evaluations
+constexpr double kKnown = 0.1;             // of the wanted error, what the reference may err by
 /// Times the error of a poor reference: what an answer must be off to be certainly wrong.
 constexpr double kCertain = 10.0;
 constexpr double kFactor = 100.0;
@@ -31,7 +31,7 @@ class WorkMeter {
     last_ = evaluations;
     work_ += static_cast<double>(more) * static_cast<double>(run.state().position.rows());
   }
-  bool is_too_much() const { return work_ > kMostWork; }
+  bool is_too_much() const { return work_ > kMostWorkOfAnswer; }
 
  private:
   std::uint64_t last_ = 0;

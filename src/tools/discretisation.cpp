@@ -29,16 +29,16 @@ std::vector<Size> sizes(bool quick) {
 double scaled_eta(double eta, int points) { return eta * points / Scene{}.disk.recipe.points; }
 
 /// e and times of the lattices of one size.
-struct Sample {
+struct SizeSample {
   int points;
   std::vector<double> restitution;
   std::vector<double> time;
 };
 
-Sample sample(double eta, const Size& size, double longest) {
+SizeSample sample(double eta, const Size& size, double longest) {
   const std::string name = fmt::format("work_precision: eta* = {:g}, N = {}", eta, size.points);
   ProgressBar bar(name, static_cast<std::size_t>(size.lattices), "lattices");
-  Sample sample{size.points, {}, {}};
+  SizeSample sample{size.points, {}, {}};
   Scene scene;
   scene.impact.velocity = 0.05;
   scene.numerics.error = kError;
@@ -58,9 +58,9 @@ Sample sample(double eta, const Size& size, double longest) {
   return sample;
 }
 
-void add_lines(double eta, const std::vector<Sample>& samples, Table& table) {
+void add_lines(double eta, const std::vector<SizeSample>& samples, Table& table) {
   const MeanPoint finest = mean_point(0.0, samples.back().restitution);
-  for (const Sample& one : samples) {
+  for (const SizeSample& one : samples) {
     const MeanPoint mean = mean_point(0.0, one.restitution);
     const auto lattices = static_cast<double>(mean.runs);
     const double scatter = mean.standard_error * std::sqrt(lattices);
@@ -83,7 +83,7 @@ void measure_discretisation(const WorkPrecision& task) {
                "restitution_error", "scatter", "difference", "difference_error", "time"});
   fmt::print("\nDiscretisation, v = 0.05 c\n");
   for (const double eta : {0.0, 100.0}) {
-    std::vector<Sample> samples;
+    std::vector<SizeSample> samples;
     for (const Size& size : sizes(task.quick)) samples.push_back(sample(eta, size, kLongest));
     add_lines(eta, samples, table);
   }

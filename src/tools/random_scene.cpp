@@ -12,7 +12,7 @@
 namespace impact {
 namespace {
 
-constexpr double kMostWork = 5e6;
+constexpr double kMostWorkOfScene = 5e6;
 constexpr double kLargestStrain = 0.3;
 constexpr double kRounding = 1e-15;  // R, of a strain
 
@@ -112,7 +112,7 @@ bool is_sensible_impact(const Scene& scene) {
   const double v = scene.impact.velocity;
   if (v > kLargestStrain * std::sqrt(scene.material.k_a)) return false;
   const Composition composition = compose(scene);
-  return wall_energy(composition) < 0.5 * v * v && work_of(composition) <= kMostWork;
+  return wall_energy(composition) < 0.5 * v * v && work_of(composition) <= kMostWorkOfScene;
 }
 
 bool is_sensible_contact(const Scene& scene) {

@@ -23,10 +23,9 @@
 namespace impact {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Of a run, points times force evaluations.
-constexpr double kMostWork = 3e8;
+constexpr double kMostWorkOfReference = 3e8;
 constexpr std::uint64_t kMostInnerSteps = 10000;  // where some ten are to be expected
 constexpr double kGoodEnough = 0.1;               // of the wanted error
 
@@ -84,7 +83,7 @@ double restitution(const Scene& scene, const Composition& composition, double st
   while (!departure.is_certain(simulation)) {
     simulation.step();
     const auto evaluations = static_cast<double>(simulation.field().evaluations);
-    if (evaluations * points > kMostWork) {
+    if (evaluations * points > kMostWorkOfReference) {
       throw ReferenceFailure(
           fmt::format("the disk has not left the wall after {:.0f} R/c and {:.1e} evaluations",
                       simulation.time(), evaluations));
@@ -184,7 +183,7 @@ ReferenceAnswer reference_answer(const Scene& scene) {
   try {
     return scene.kind == SceneKind::kContact ? contact_reference(scene) : impact_reference(scene);
   } catch (const std::exception& failure) {
-    return {kNaN, kInfinity, {}, failure.what()};
+    return {std::nan(""), kInfinity, {}, failure.what()};
   }
 }
 

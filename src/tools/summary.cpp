@@ -21,7 +21,7 @@ namespace impact {
 namespace {
 
 namespace acc = boost::accumulators;
-using Sample =
+using MeanAndError =
     acc::accumulator_set<double, acc::stats<acc::tag::mean, acc::tag::error_of<acc::tag::mean>>>;
 using Parameters = std::vector<Parameter<Scene>>;
 using Group = std::vector<const Row*>;
@@ -91,7 +91,7 @@ double result(const Row& row, const std::string& key) {
 }
 
 void add_mean(const Group& group, const std::string& key, Line& line) {
-  Sample sample;
+  MeanAndError sample;
   for (const Row* row : group) {
     if (std::isfinite(result(*row, key))) sample(result(*row, key));
   }
