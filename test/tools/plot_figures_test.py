@@ -47,6 +47,9 @@ def write_figure3(folder):
     for wall, eta in ((300, 0), (300, 1), (300, 10), (3000, 0), (3000, 1)):
         lines += [f'{wall},{eta},{v},{v / 1.8},{1 - v},0.01,nan,5,4,-nan,1' for v in SPEEDS]
     write(folder, 'figure3.csv', lines)
+    write(folder, 'figure3_losses.csv', ['wall_a,eta,velocity,loss,spin,damping,vibration'] +
+          [f'{wall},{eta},{v},0.04,0.01,0.01,0.02'
+           for wall, eta in ((300, 0), (300, 1), (3000, 0)) for v in SPEEDS])
 
 
 def write_figure6(folder):
@@ -108,7 +111,7 @@ class PlotFiguresTest(InFolder):
             write_drawing(self.folder, name)
         plot('all', self.folder)
         names = ['figure1', 'figure2', 'figure3', 'figure3_dissipation', 'figure3_duration',
-                 'figure4', 'figure6']
+                 'figure3_losses', 'figure4', 'figure6']
         self.assertEqual(sorted(self.pictures()),
                          sorted(name + '.png' for name in names))
 
@@ -160,6 +163,15 @@ class PlotFiguresTest(InFolder):
         self.assertEqual(len(ax.texts), 0)
         restitution.say_what_is_missing(ax, table.where('wall_a', 3000), styles)
         self.assertEqual(ax.texts[0].get_text(), r'$\eta^* =$ 10: not simulated')
+
+    def test_losses_are_stacked_in_shares(self):
+        write_figure3(self.folder)
+        figure, axes = restitution.draw_losses(read_table(self.folder / 'figure3_losses.csv'))
+        self.assertEqual(len(axes), 2)
+        # Of a loss of 0.04: spin 0.01, vibration 0.02, damping 0.01.
+        tops = [area.get_paths()[0].vertices[:, 1].max() for area in axes[0].collections]
+        np.testing.assert_allclose(tops, [0.25, 0.75, 1.0])
+        plt.close(figure)
 
     def test_equal_answers_are_one_star(self):
         groups = precision.groups_of_answers(np.array([1.0, 1.2, 1.1, 5.0]),

@@ -168,9 +168,8 @@ def figure3_duration(folder, table):
 PARTS = {"spin": SKY, "vibration": ORANGE, "damping": GREY}
 
 
-def figure3_losses(folder):
-    """Where the loss 1 − e² goes, in shares, against speed on the softer wall."""
-    table = read_table(folder / "figure3_losses.csv")
+def draw_losses(table):
+    """Where the loss 1 − e² goes, in shares, against speed on the softer wall: figure and panels."""
     on_wall = table.where("wall_a", min(table["wall_a"]))
     etas = [eta for eta in (0, 1, 10) if eta in on_wall["eta"]]
     figure, (axes,) = panels(TWO_COLUMNS, 0.34 * TWO_COLUMNS, columns=len(etas), sharey=True)
@@ -188,4 +187,10 @@ def figure3_losses(folder):
     axes[0].set_ylabel("share of $1 - e^2$")
     letter(axes)
     legend_beside(axes[-1], [Patch(color=colour, label=part) for part, colour in PARTS.items()])
+    return figure, axes
+
+
+def figure3_losses(folder):
+    """The figure of draw_losses()."""
+    figure, _ = draw_losses(read_table(folder / "figure3_losses.csv"))
     save_both(figure, folder, "figure3_losses")
