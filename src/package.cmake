@@ -1,11 +1,14 @@
 # cpack --config build/CPackConfig.cmake: a package of Debian 12 that needs no compiler.
 
 # The package's folders are the system's, which needs none of the files that make a workspace of a
-# prefix.
-file(WRITE ${CMAKE_BINARY_DIR}/leave_out_workspace.cmake [[
-file(GLOB files ${CPACK_TEMPORARY_DIRECTORY}/usr/*setup* ${CPACK_TEMPORARY_DIRECTORY}/usr/env.sh
-  ${CPACK_TEMPORARY_DIRECTORY}/usr/.catkin ${CPACK_TEMPORARY_DIRECTORY}/usr/.rosinstall)
+# prefix; catkin puts them where it was told to install when it configured.
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/leave_out_workspace.cmake @ONLY CONTENT [[
+set(prefix ${CPACK_TEMPORARY_DIRECTORY}@CMAKE_INSTALL_PREFIX@)
+file(GLOB files ${prefix}/*setup* ${prefix}/env.sh ${prefix}/.catkin ${prefix}/.rosinstall)
 file(REMOVE ${files})
+if(NOT "@CMAKE_INSTALL_PREFIX@" STREQUAL "/usr")
+  file(REMOVE_RECURSE ${prefix})
+endif()
 ]])
 
 set(CPACK_GENERATOR DEB)

@@ -3,9 +3,10 @@
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-cmake --install "$1" --prefix "$folder/tree" > "$folder/log" || { cat "$folder/log"; exit 1; }
+DESTDIR=$folder cmake --install "$1" > "$folder/log" || { cat "$folder/log"; exit 1; }
+tree=$(dirname "$(find "$folder" -name setup.bash)")
 
-if grep -rIl --exclude-dir=doc "$(realpath "$1/..")" "$folder/tree"; then
+if grep -rIl "$(realpath "$1/..")" "$tree"; then
   echo "these files name the checkout"
   exit 1
 fi
@@ -13,8 +14,8 @@ port=$(/usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("", 0));
 env -i PATH=/usr/bin:/bin HOME="$folder" ROS_HOSTNAME=localhost ROS_MASTER_URI="http://localhost:$port" \
   bash -ec "
     cd $folder
-    source tree/setup.bash
-    [ \"\$(rospack find lattice_impact)\" = $folder/tree/share/lattice_impact ]
+    source $tree/setup.bash
+    [ \"\$(rospack find lattice_impact)\" = $tree/share/lattice_impact ]
     roslaunch -p $port lattice_impact collision.launch N:=100 velocity:=0.05 bag:=impact.bag
     rosrun lattice_impact analyse_bag impact.bag > analysis.yaml
     grep 'complete: true' analysis.yaml
