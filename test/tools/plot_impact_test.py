@@ -48,7 +48,8 @@ class Course(InFolder):
 
     def test_columns_agree_with_the_states(self):
         """The C++ ledger, and the same energies from the states by other formulas."""
-        recording = open_recording(simulate(self.folder / 'run', SMALL_WALL, '--states'))
+        recording = open_recording(simulate(self.folder / 'run', [*SMALL_WALL, 'material.k_b=1000'],
+                                            '--states'))
         written = recording.history()
         ledger = type('Ledger', (), {'total': sum(energy[0] for energy
                                                   in written.energies.values()),

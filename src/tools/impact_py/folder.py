@@ -11,7 +11,7 @@ from .program import InputError
 from .recording import Recording
 
 STATES = "states.lammpstrj"
-COLUMNS = "id type x y vx vy fx fy".split()
+COLUMNS = "id type x y z vx vy vz fx fy fz".split()
 
 
 class FolderRecording(Recording):
@@ -63,7 +63,7 @@ def read_dump(file, points):
         except (ValueError, StopIteration):
             raise InputError(f"{file.name}: is no dump of this run by impact") from None
         rows = rows[np.argsort(rows[:, 0])]
-        yield State(step, time, rows[:, 2:4], rows[:, 4:6], rows[:, 6:8])
+        yield State(step, time, rows[:, 2:4], rows[:, 5:7], rows[:, 8:10])
 
 
 def _after(header, item, file):

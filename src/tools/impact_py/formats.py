@@ -27,6 +27,12 @@ def in_space(rows):
     return np.column_stack((rows, np.zeros(len(rows))))
 
 
+def vectors_of(state):
+    """Position, velocity and force, one row a point."""
+    return np.column_stack([in_space(rows) for rows in (state.position, state.velocity,
+                                                        state.force)])
+
+
 def write_lammps(recording, path):
     """A dump of the states, and beside it, as .data, the reference lattice with its bonds."""
     bodies = body_numbers(recording)
@@ -37,9 +43,8 @@ def write_lammps(recording, path):
                        f"ITEM: NUMBER OF ATOMS\n{len(bodies)}\nITEM: BOX BOUNDS ss ss pp\n"
                        f"{low[0]!r} {high[0]!r}\n{low[1]!r} {high[1]!r}\n-0.5 0.5\n"
                        f"ITEM: ATOMS {' '.join(COLUMNS)}\n")
-            rows = numbers(np.column_stack((state.position, state.velocity, state.force)))
-            file.writelines(f"{number} {body} {row}\n"
-                            for number, (body, row) in enumerate(zip(bodies, rows), 1))
+            file.writelines(f"{number} {body} {row}\n" for number, (body, row)
+                            in enumerate(zip(bodies, numbers(vectors_of(state))), 1))
     with unfinished(path.with_suffix(".data")) as beside:
         beside.write_text(lammps_data(recording), encoding="utf-8")
 
@@ -71,9 +76,8 @@ def write_xyz(recording, path):
         for state in recording.states():
             file.write(f'{len(bodies)}\nProperties={properties} Time={state.time!r} '
                        f'Step={state.step} pbc="F F F"\n')
-            vectors = [in_space(rows) for rows in (state.position, state.velocity, state.force)]
             file.writelines(f"{number} {body} X {row}\n" for number, (body, row)
-                            in enumerate(zip(bodies, numbers(np.column_stack(vectors))), 1))
+                            in enumerate(zip(bodies, numbers(vectors_of(state))), 1))
 
 
 def write_npz(recording, path):
