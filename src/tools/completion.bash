@@ -47,5 +47,6 @@ _lattice_impact_rosrun() {
 # rosbash completes package and program.
 [ ! -r /usr/share/bash-completion/completions/rosrun ] || . /usr/share/bash-completion/completions/rosrun
 complete -F _lattice_impact_rosrun rosrun
-complete -F _lattice_impact impact sweep units reproduce work_precision stability accuracy_check \
-  analyse_bag
+# Other packages have a convert and units too.
+complete -F _lattice_impact impact sweep reproduce work_precision stability accuracy_check \
+  analyse_bag plot_figures plot_impact plot_sweep

@@ -17,6 +17,7 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 PROGRAMS = pathlib.Path(sys.argv.pop(1))
 TOOLS = ('impact', 'sweep', 'units', 'reproduce', 'work_precision', 'stability', 'accuracy_check',
          'analyse_bag')
+SCRIPTS = ('convert', 'plot_figures', 'plot_impact', 'plot_sweep')
 NODES = ('simulation_node', 'analysis_node', 'recorder_node')
 SMALL = ('collision', 'points=100', 'velocity=0.05')
 DISK = 'radius=0.05,density=1100,young=5e6,thickness=0.01'
@@ -116,6 +117,7 @@ class KeyboardTest(unittest.TestCase):
         self.assert_refused('velocty: unknown key (did you mean impact.velocity?)', 'impact',
                             'collision', 'velocty=0.1')
         self.assert_refused('(did you mean --output?)', 'impact', 'collision', '--outptu=x')
+        self.assert_refused('(did you mean --animate?)', 'plot_impact', 'run', '--anmate', 'x.gif')
         self.assert_refused('(did you mean --jobs?)', 'sweep', 'collision', '--output', 'x.csv',
                             '--job', '2')
 
@@ -140,7 +142,7 @@ class KeyboardTest(unittest.TestCase):
 
     def test_version(self):
         version = ElementTree.parse(str(SOURCE / 'package.xml')).find('version').text
-        for name in TOOLS + NODES:
+        for name in TOOLS + SCRIPTS + NODES:
             self.assertEqual(self.output_of(name, '--version'), name + ' ' + version + '\n')
 
     def test_help_of_nodes_without_a_master(self):

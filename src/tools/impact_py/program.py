@@ -2,9 +2,11 @@
 
 import argparse
 import contextlib
+import difflib
 import os
 import sys
 from pathlib import Path
+from xml.etree import ElementTree
 
 
 class InputError(Exception):
@@ -14,8 +16,27 @@ class InputError(Exception):
 class Parser(argparse.ArgumentParser):
     """Refuses a command line in one line, as the other programs do."""
 
+    def __init__(self, *arguments, **options):
+        super().__init__(*arguments, **options)
+        self.add_argument("--version", action="version", version=f"%(prog)s {version()}")
+
     def error(self, message):
-        self.exit(2, f"{self.prog}: {message} (--help tells more)\n")
+        self.exit(2, f"{self.prog}: {message}{self._suggestion(message)} (--help tells more)\n")
+
+    def _suggestion(self, message):
+        words = message.partition("unrecognized arguments: ")[2].split()
+        options = [name for action in self._actions for name in action.option_strings]
+        near = [name for word in words if word.startswith("--")
+                for name in difflib.get_close_matches(word.partition("=")[0], options, 1)]
+        return f" (did you mean {near[0]}?)" if near else ""
+
+
+def version():
+    """That of package.xml, which lies in the source or in the share of an installed tree."""
+    root = Path(__file__).resolve().parents[3]
+    manifests = [root / "package.xml", root / "share" / "lattice_impact" / "package.xml"]
+    manifest = next(path for path in manifests if path.exists())
+    return ElementTree.parse(manifest).findtext("version")
 
 
 def run(parser, body):
