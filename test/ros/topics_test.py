@@ -13,8 +13,7 @@ from programs import (PACKAGE, SMALL_ABSORBING_WALL, SMALL_COLLISION, SMALL_CONT
 
 OF_EVERY_NODE = {'/rosout'}
 DIAGNOSTICS = {'/diagnostics'}
-SIMULATION = ('lattice', 'particle_states', 'contact_forces', 'run_status', 'markers',
-              'contact_wrench')
+SIMULATION = ('lattice', 'particle_states', 'contact_forces', 'run_status', 'scalars')
 WALL = ('wall/lattice', 'wall/particle_states', 'wall/contact_forces')
 ANALYSIS = ('strain', 'restitution', 'law_fit', 'acknowledged')
 
