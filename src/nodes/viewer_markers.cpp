@@ -192,6 +192,7 @@ visualization_msgs::MarkerArray ViewerMarkers::draw(const Snapshot& snapshot) {
                                   strain_range_, wall_strain_colour));
   } else {
     array.markers.push_back(wall_line(header));
+    array.markers.push_back(lines(header, "wall", 1, Layer::kBonds, 0.0));  // of a run before
   }
   add_scale(header, snapshot.wall.has_value(), array.markers);
   add_text(header, snapshot, array.markers);

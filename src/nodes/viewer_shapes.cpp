@@ -12,9 +12,9 @@ using Eigen::Vector2d;
 using visualization_msgs::Marker;
 
 constexpr double kLayerHeight = 0.02;  // R
-constexpr double kShaftWidth = 0.026;  // R
-constexpr double kHeadWidth = 0.08;    // R
-constexpr double kHeadLength = 0.1;    // R
+constexpr double kShaftWidth = 0.022;  // R
+constexpr double kHeadWidth = 0.06;    // R
+constexpr double kHeadLength = 0.09;   // R
 constexpr double kMostHeadPart = 0.6;  // of the arrow's length
 
 }  // namespace

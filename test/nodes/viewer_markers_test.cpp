@@ -168,7 +168,10 @@ TEST(ViewerMarkers, LetArrowsEndAtTheirPoints) {
 
 TEST(ViewerMarkers, DrawAnElasticWallInItsOwnColours) {
   Snapshot state = snapshot({0.0, 0.05, 0.05});
-  EXPECT_EQ(only(ViewerMarkers().draw(state), "wall").type, Marker::LINE_LIST);
+  const auto line = named(ViewerMarkers().draw(state), "wall");
+  ASSERT_EQ(line.size(), 2U);
+  EXPECT_EQ(line[0].type, Marker::LINE_LIST);
+  EXPECT_EQ(line[1].action, Marker::DELETE);  // the bonds of a run before
   state.wall = triangle({0.05, -0.05, 0.0});
   const auto wall = named(ViewerMarkers().draw(state), "wall");
   ASSERT_EQ(wall.size(), 2U);
