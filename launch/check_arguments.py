@@ -13,6 +13,7 @@ from xml.etree import ElementTree
 
 import yaml
 from roslib.packages import find_node
+from rospkg import RosPack
 
 
 def refuse(line):
@@ -51,9 +52,23 @@ def path_of_bag():
     return os.path.join(os.environ['PWD'], bag)
 
 
+def check_flag(name):
+    if argument(name) not in (True, False):
+        refuse('{}: got {}, allowed: true or false'.format(name, argument(name)))
+
+
+def check_rviz():
+    check_flag('rviz')
+    if not argument('rviz'):
+        return
+    if 'rviz' not in RosPack().list():
+        refuse('rviz: not installed; Debian has it in the package rviz')
+    if not os.environ.get('DISPLAY'):
+        refuse('rviz: there is no display to show it on (DISPLAY is not set)')
+
+
 def check_recording():
-    if argument('record') not in (True, False):
-        refuse('record: got {}, allowed: true or false'.format(argument('record')))
+    check_flag('record')
     if not argument('record'):
         return
     folder = os.path.dirname(path_of_bag())
@@ -96,6 +111,7 @@ def is_about_to_run():
 if is_about_to_run():
     arguments = declared_arguments()
     check_names(arguments)
+    check_rviz()
     if 'scene' in arguments:
         check_scene()
         check_recording()

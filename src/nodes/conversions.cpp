@@ -27,6 +27,23 @@ void require_equal(const char* message, std::initializer_list<std::size_t> sizes
   }
 }
 
+template <class Message>
+void copy_energies(const EnergyLedger& ledger, double error, Message& message) {
+  message.kinetic_translation = ledger.kinetic_translation;
+  message.kinetic_rotation = ledger.kinetic_rotation;
+  message.kinetic_internal = ledger.kinetic_internal;
+  message.bonds = ledger.bonds;
+  message.wall = ledger.wall;
+  message.load = ledger.load;
+  message.dissipated = ledger.dissipated;
+  message.wall_lattice = ledger.wall_lattice;
+  message.absorbed = ledger.absorbed;
+  message.hops = ledger.hops;
+  message.hops_size = ledger.hops_size;
+  message.total = ledger.total();
+  message.error = error;
+}
+
 }  // namespace
 
 lattice_impact::Lattice to_message(const Lattice& lattice) {
@@ -74,19 +91,23 @@ lattice_impact::ContactForces to_message(const ContactReport& report) {
 
 lattice_impact::EnergyLedger to_message(const EnergyLedger& ledger, double error) {
   lattice_impact::EnergyLedger message;
-  message.kinetic_translation = ledger.kinetic_translation;
-  message.kinetic_rotation = ledger.kinetic_rotation;
-  message.kinetic_internal = ledger.kinetic_internal;
-  message.bonds = ledger.bonds;
-  message.wall = ledger.wall;
-  message.load = ledger.load;
-  message.dissipated = ledger.dissipated;
-  message.wall_lattice = ledger.wall_lattice;
-  message.absorbed = ledger.absorbed;
-  message.hops = ledger.hops;
-  message.hops_size = ledger.hops_size;
-  message.total = ledger.total();
-  message.error = error;
+  copy_energies(ledger, error, message);
+  return message;
+}
+
+lattice_impact::Scalars to_message(const BodyMotion& motion, const ContactReport& report,
+                                   const EnergyLedger& ledger, double error) {
+  lattice_impact::Scalars message;
+  message.step = report.step;
+  message.time = report.time;
+  message.x = motion.centre.x();
+  message.y = motion.centre.y();
+  message.vx = motion.velocity.x();
+  message.vy = motion.velocity.y();
+  message.spin = motion.spin();
+  message.force_x = report.total.x();
+  message.force_y = report.total.y();
+  copy_energies(ledger, error, message);
   return message;
 }
 

@@ -7,6 +7,7 @@
 #include <lattice_impact/LawFit.h>
 #include <lattice_impact/ParticleStates.h>
 #include <lattice_impact/Restitution.h>
+#include <lattice_impact/Scalars.h>
 #include <lattice_impact/Strain.h>
 #include <ros/time.h>
 
@@ -14,6 +15,7 @@
 #include "measure/contact_report.hpp"
 #include "measure/impact_answer.hpp"
 #include "measure/strain.hpp"
+#include "mechanics/body_motion.hpp"
 #include "mechanics/energy_ledger.hpp"
 #include "mechanics/state.hpp"
 #include "theory/law_fit.hpp"
@@ -26,6 +28,9 @@ lattice_impact::Lattice to_message(const Lattice& lattice);
 lattice_impact::ParticleStates to_message(const State& state);
 lattice_impact::ContactForces to_message(const ContactReport& report);
 lattice_impact::EnergyLedger to_message(const EnergyLedger& ledger, double error);
+/// Step, time and force are those of `report`.
+lattice_impact::Scalars to_message(const BodyMotion& motion, const ContactReport& report,
+                                   const EnergyLedger& ledger, double error);
 lattice_impact::Strain to_message(const Strain& strain);
 lattice_impact::Restitution to_message(const Restitution& restitution);
 lattice_impact::ImpactNumbers numbers_to_message(const Restitution& restitution);

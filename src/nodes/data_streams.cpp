@@ -10,9 +10,10 @@ DataStreams::Topics::Topics(Readers& readers, const std::string& prefix)
       states(readers.advertise<lattice_impact::ParticleStates>(prefix + "particle_states")),
       forces(readers.advertise<lattice_impact::ContactForces>(prefix + "contact_forces")) {}
 
-DataStreams::DataStreams(Readers& readers, Readers* wall_readers)
+DataStreams::DataStreams(Readers& readers, Readers* wall_readers, Readers& scalar_readers)
     : disk_(readers, ""),
-      status_(readers.advertise<lattice_impact::RunStatus>("run_status", true)) {
+      status_(readers.advertise<lattice_impact::RunStatus>("run_status", true)),
+      scalars_(scalar_readers.advertise<lattice_impact::Scalars>("scalars")) {
   if (wall_readers != nullptr) wall_.emplace(*wall_readers, "wall/");
 }
 
@@ -20,6 +21,8 @@ bool DataStreams::heard(Body body) const {
   return bag_ || topics(body).states.getNumSubscribers() > 0 ||
          topics(body).forces.getNumSubscribers() > 0;
 }
+
+bool DataStreams::scalars_heard() const { return bag_ || scalars_.getNumSubscribers() > 0; }
 
 void DataStreams::open_bag(const std::string& bag) {
   if (!bag.empty()) bag_.emplace(bag);
@@ -55,6 +58,8 @@ void DataStreams::send(Body body, const lattice_impact::ContactForces& message) 
 }
 
 void DataStreams::send(const lattice_impact::RunStatus& message) { send(status_, message); }
+
+void DataStreams::send(const lattice_impact::Scalars& message) { send(scalars_, message); }
 
 std::string DataStreams::close(bool complete) {
   if (!bag_) return {};

@@ -4,6 +4,7 @@
 #include <lattice_impact/Lattice.h>
 #include <lattice_impact/ParticleStates.h>
 #include <lattice_impact/RunStatus.h>
+#include <lattice_impact/Scalars.h>
 #include <ros/ros.h>
 
 #include <optional>
@@ -19,11 +20,11 @@ enum class Body { kDisk, kWall };
 
 /// The topics that carry a run, to subscribers and, if asked for, into a bag: `run_status`; for the
 /// disk `lattice`, `particle_states` and `contact_forces`; the same below `wall/` for an elastic
-/// wall.
+/// wall; `scalars`.
 class DataStreams {
  public:
   /// `wall_readers`: nullptr when no run has an elastic wall; then it has no topics.
-  DataStreams(Readers& readers, Readers* wall_readers);
+  DataStreams(Readers& readers, Readers* wall_readers, Readers& scalar_readers);
 
   /// From here on everything goes into this file too; empty: none.
   /// @throw InputError when it cannot be opened.
@@ -31,11 +32,14 @@ class DataStreams {
 
   /// Somebody takes the body's states and forces: a bag or a subscriber.
   bool heard(Body body) const;
+  /// The same of the scalars.
+  bool scalars_heard() const;
 
   void send(Body body, const lattice_impact::Lattice& message);
   void send(Body body, const lattice_impact::ParticleStates& message);
   void send(Body body, const lattice_impact::ContactForces& message);
   void send(const lattice_impact::RunStatus& message);
+  void send(const lattice_impact::Scalars& message);
 
   /// Finishes the bag: BagFile::finish(). Returns its name; empty: there is none.
   std::string close(bool complete);
@@ -57,6 +61,7 @@ class DataStreams {
   Topics disk_;
   std::optional<Topics> wall_;
   ros::Publisher status_;
+  ros::Publisher scalars_;
   std::optional<BagFile> bag_;
 };
 

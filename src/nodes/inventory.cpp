@@ -12,6 +12,7 @@ using lattice_impact::RunStatus;
 
 constexpr const char* kStatus = "run_status";
 constexpr const char* kLattice = "lattice";
+constexpr const char* kScalars = "scalars";
 const std::string kWall = "wall/";
 
 bool has_ended(const std::optional<RunStatus>& status) {
@@ -34,22 +35,24 @@ std::vector<std::string> Inventory::topics(const std::vector<std::string>& terms
   if (std::find(terms.begin(), terms.end(), "elastic wall") != terms.end()) {
     for (std::size_t k = 0; k < 3; ++k) topics.push_back(kWall + topics[k]);
   }
-  topics.emplace_back(kStatus);
+  topics.insert(topics.end(), {kScalars, kStatus});
   return topics;
 }
 
-std::uint32_t Inventory::promised(const RunStatus& status, const std::string& topic) {
-  const auto all = topics(status.terms);
+std::uint32_t Inventory::promised(const Run& run, const std::string& topic) {
+  if (!run.status) return 0;
+  const auto all = topics(run.status->terms);
   if (std::find(all.begin(), all.end(), topic) == all.end()) return 0;
-  if (topic == kStatus) return status.sequence + 1;
-  return is_lattice(topic) ? 1 : status.states;
+  if (topic == kStatus) return run.status->sequence + 1;
+  if (topic == kScalars && count(run, topic) == 0) return 0;
+  return is_lattice(topic) ? 1 : run.status->states;
 }
 
 std::uint64_t Inventory::published(const std::string& topic) const {
   std::uint64_t sum = 0;
   for (const auto& run : runs_) {
     const std::uint32_t found = count(run.second, topic);
-    const std::uint32_t said = run.second.status ? promised(*run.second.status, topic) : 0;
+    const std::uint32_t said = promised(run.second, topic);
     sum += has_ended(run.second.status) ? said : std::max(said, found);
   }
   return sum;
@@ -65,7 +68,7 @@ std::uint32_t Inventory::states(std::uint32_t number) const {
   if (run == runs_.end() || !run->second.status) return 0;
   std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
   for (const std::string& topic : topics(run->second.status->terms)) {
-    if (topic == kStatus || is_lattice(topic)) continue;
+    if (topic == kStatus || topic == kScalars || is_lattice(topic)) continue;
     least = std::min(least, count(run->second, topic));
   }
   return least;
@@ -75,7 +78,7 @@ bool Inventory::has_all(const Run& run) {
   if (!has_ended(run.status)) return false;
   const auto all = topics(run.status->terms);
   return std::all_of(all.begin(), all.end(), [&](const std::string& topic) {
-    return count(run, topic) >= promised(*run.status, topic);
+    return count(run, topic) >= promised(run, topic);
   });
 }
 
@@ -104,7 +107,7 @@ void Inventory::add_problems(std::uint32_t number, const Run& run,
     return;
   }
   for (const std::string& topic : topics(run.status->terms)) {
-    const std::uint32_t expected = promised(*run.status, topic);
+    const std::uint32_t expected = promised(run, topic);
     const std::uint32_t found = count(run, topic);
     if (found == expected) continue;
     lines.push_back(

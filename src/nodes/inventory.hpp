@@ -11,7 +11,8 @@
 namespace impact {
 
 /// The messages of a series that have come, run by run, against those that the simulation says it
-/// published. Topics go by their names below the simulation's namespace.
+/// published. Topics go by their names below the simulation's namespace. The scalars of a run may
+/// be missing, since they are published only while somebody listens; once one has come, each must.
 class Inventory {
  public:
   /// A message of a topic other than run_status.
@@ -22,7 +23,8 @@ class Inventory {
   /// said at their ends, and of a run without an end no less than have come.
   std::uint64_t published(const std::string& topic) const;
 
-  /// States of the run with this number of which everything has come: those 0 … n − 1.
+  /// States of the run with this number of which everything but the scalars has come: those
+  /// 0 … n − 1.
   std::uint32_t states(std::uint32_t number) const;
 
   /// The end of the run with this number was announced, and everything of it has come.
@@ -43,7 +45,7 @@ class Inventory {
 
   /// Those of the simulation in a run with these terms of the force.
   static std::vector<std::string> topics(const std::vector<std::string>& terms);
-  static std::uint32_t promised(const lattice_impact::RunStatus& status, const std::string& topic);
+  static std::uint32_t promised(const Run& run, const std::string& topic);
   static std::uint32_t count(const Run& run, const std::string& topic);
   static bool has_all(const Run& run);
   static void add_problems(std::uint32_t number, const Run& run, std::vector<std::string>& lines);

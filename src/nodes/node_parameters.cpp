@@ -73,6 +73,9 @@ const std::vector<Parameter<SimulationNodeParameters>>& simulation_node_paramete
           "those that must have subscribed to every topic of an elastic wall before the start",
           [](auto& p) -> auto& { return p.wait_for_wall; }),
       node_names<P>(
+          "wait_for_scalars", "those that must have subscribed to scalars before the start",
+          [](auto& p) -> auto& { return p.wait_for_scalars; }),
+      node_names<P>(
           "acknowledged_by",
           "those whose acknowledgements pace the run: it stays at most 100 states "
           "ahead of each",

@@ -10,15 +10,16 @@ namespace impact {
 
 /// What the simulation node has besides the keys of its scene.
 struct SimulationNodeParameters {
-  std::string scene_yaml;                    ///< empty: none
-  std::vector<std::string> assignments;      ///< key=value
-  std::string bag;                           ///< empty: none
-  std::vector<std::string> wait_for;         ///< names of nodes
-  std::vector<std::string> wait_for_wall;    ///< names of nodes
-  std::vector<std::string> acknowledged_by;  ///< names of nodes
-  double timeout = 30.0;                     ///< s
-  double max_rate = 0.0;                     ///< states/s; 0: none
-  double linger = 0.5;                       ///< s
+  std::string scene_yaml;                     ///< empty: none
+  std::vector<std::string> assignments;       ///< key=value
+  std::string bag;                            ///< empty: none
+  std::vector<std::string> wait_for;          ///< names of nodes
+  std::vector<std::string> wait_for_wall;     ///< names of nodes
+  std::vector<std::string> wait_for_scalars;  ///< names of nodes
+  std::vector<std::string> acknowledged_by;   ///< names of nodes
+  double timeout = 30.0;                      ///< s
+  double max_rate = 0.0;                      ///< states/s; 0: none
+  double linger = 0.5;                        ///< s
   bool publish_clock = false;
   double seconds_per_time_unit = 1.0;
 };

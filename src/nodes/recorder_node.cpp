@@ -6,6 +6,7 @@
 #include <lattice_impact/LawFit.h>
 #include <lattice_impact/ParticleStates.h>
 #include <lattice_impact/Restitution.h>
+#include <lattice_impact/Scalars.h>
 #include <lattice_impact/Strain.h>
 #include <ros/callback_queue.h>
 
@@ -64,6 +65,7 @@ void RecorderNode::run() {
     record<lattice_impact::ParticleStates>(prefix + "particle_states");
     record<lattice_impact::ContactForces>(prefix + "contact_forces");
   }
+  record<lattice_impact::Scalars>("scalars");
   record<lattice_impact::Strain>("strain");
   record<lattice_impact::Restitution>("restitution");
   record<lattice_impact::LawFit>("law_fit");

@@ -28,7 +28,7 @@ double expected_size(const Scene& scene, const Composition& composition) {
   const double samples = scene.output.period / composition.resolution.step + 1.0;
   // x, y, vx, vy, and a force on every fourth point; both messages' other fields, records and
   // index.
-  const double state = 37.0 * points + 16.0 * samples + 500.0;
+  const double state = 37.0 * points + 16.0 * samples + 800.0;
   const double status = 3000.0;
   const double lattice = 70.0 * points;     // three bonds a point
   constexpr double kDefinitions = 60000.0;  // of the messages, with each connection
@@ -123,9 +123,9 @@ SimulationNode::SimulationNode(const SimulationNodeParameters& parameters,
       wall_readers_(has_elastic_wall(series_)
                         ? std::make_optional<Readers>(node_, parameters.wait_for_wall)
                         : std::nullopt),
-      streams_(readers_, wall_readers_ ? &*wall_readers_ : nullptr),
-      pacing_(node_, parameters.acknowledged_by),
-      viewer_(node_) {
+      scalar_readers_(node_, parameters.wait_for_scalars),
+      streams_(readers_, wall_readers_ ? &*wall_readers_ : nullptr, scalar_readers_),
+      pacing_(node_, parameters.acknowledged_by) {
   if (parameters.publish_clock) clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 0);
   if (parameters.max_rate > 0.0) rate_.emplace(parameters.max_rate);
   diagnostics_.setHardwareID("none");
@@ -141,6 +141,7 @@ bool SimulationNode::run_series() {
   }
   readers_.wait(parameters_.timeout);
   if (wall_readers_) wall_readers_->wait(parameters_.timeout);
+  scalar_readers_.wait(parameters_.timeout);
   pacing_.wait_for_links(parameters_.timeout);
   if (!interrupted()) streams_.open_bag(parameters_.bag);
   for (std::size_t i = 0; i < series_.size() && !interrupted(); ++i) {
@@ -236,6 +237,7 @@ void SimulationNode::publish_output(Run& run, ImpactAnalysis& analysis) {
   const ContactReports reports = run.take_contact_reports();
   analysis.add(reports.on_disk);
   if (status_.states == 0 || run.finished()) analysis.add(run.disk_state());
+  if (streams_.scalars_heard()) send_scalars(run, reports.on_disk);
   if (streams_.heard(Body::kDisk)) {
     send(Body::kDisk, run.disk_state(), reports.on_disk, stamp(run));
   }
@@ -246,7 +248,6 @@ void SimulationNode::publish_output(Run& run, ImpactAnalysis& analysis) {
   if (status_.states % kStatusInterval == 0) {
     publish_status(run, lattice_impact::RunStatus::RUNNING);
   }
-  viewer_.publish(stamp(run), run, reports.on_disk);
   if (parameters_.publish_clock) {
     rosgraph_msgs::Clock clock;
     clock.clock = stamp(run);
@@ -265,6 +266,16 @@ void SimulationNode::send(Body body, const State& state, const ContactReport& re
   if (body == Body::kDisk) checksum_ += checksum_of(states) + checksum_of(forces);
   streams_.send(body, states);
   streams_.send(body, forces);
+}
+
+void SimulationNode::send_scalars(const Run& run, const ContactReport& report) {
+  const State disk = run.disk_state();
+  lattice_impact::Scalars message = to_message(body_motion(disk.position, disk.velocity), report,
+                                               run.motion().ledger(), run.energy_error());
+  message.header.stamp = stamp(run);
+  message.run = status_.run;
+  message.sequence = status_.states;
+  streams_.send(message);
 }
 
 void SimulationNode::publish_status(const Run& run, std::uint8_t phase, const std::string& error) {
@@ -293,6 +304,7 @@ void SimulationNode::keep_pace() {
   diagnostics_.update();
   readers_.check();
   if (wall_readers_) wall_readers_->check();
+  scalar_readers_.check();
   wait_for_readers(static_cast<std::int64_t>(status_.states) - kWindow);
   if (rate_) rate_->sleep();
 }

@@ -13,7 +13,6 @@
 #include "nodes/node_parameters.hpp"
 #include "nodes/progress_log.hpp"
 #include "nodes/readers.hpp"
-#include "nodes/viewer.hpp"
 #include "run/error_control.hpp"
 #include "run/run.hpp"
 #include "scene/scene.hpp"
@@ -51,6 +50,7 @@ class SimulationNode {
   void publish_output(Run& run, ImpactAnalysis& analysis);
   void send_lattice(Body body, const Lattice& lattice, const Run& run);
   void send(Body body, const State& state, const ContactReport& report, const ros::Time& stamp);
+  void send_scalars(const Run& run, const ContactReport& report);
   void publish_status(const Run& run, std::uint8_t phase, const std::string& error = {});
   void take_answer(const ErrorControl& control);
   void keep_pace();
@@ -65,9 +65,9 @@ class SimulationNode {
   ros::NodeHandle node_;
   Readers readers_;
   std::optional<Readers> wall_readers_;
+  Readers scalar_readers_;
   DataStreams streams_;
   Pacing pacing_;
-  Viewer viewer_;
   ros::Publisher clock_;
   diagnostic_updater::Updater diagnostics_;
   std::optional<ros::WallRate> rate_;

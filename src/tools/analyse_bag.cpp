@@ -2,6 +2,7 @@
 // published.
 
 #include <console_bridge/console.h>
+#include <lattice_impact/Scalars.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <sys/resource.h>
@@ -45,15 +46,14 @@ class Pipeline {
 
   void add(const rosbag::MessageInstance& message) {
     if (is_of_wall(message.getTopic())) {
-      of_wall<lattice_impact::Lattice>(message) ||
-          of_wall<lattice_impact::ParticleStates>(message) ||
-          of_wall<lattice_impact::ContactForces>(message);
+      count<lattice_impact::Lattice>(message) || count<lattice_impact::ParticleStates>(message) ||
+          count<lattice_impact::ContactForces>(message);
       return;
     }
     take<lattice_impact::Lattice>(message) || take<lattice_impact::ParticleStates>(message) ||
         take<lattice_impact::ContactForces>(message) || take_status(message) ||
         result<lattice_impact::Strain>(message) || result<lattice_impact::Restitution>(message) ||
-        result<lattice_impact::LawFit>(message);
+        result<lattice_impact::LawFit>(message) || count<lattice_impact::Scalars>(message);
   }
 
   void close() {
@@ -107,7 +107,6 @@ class Pipeline {
     fmt::print(stderr, "analyse_bag: {}: {}\n", name_space_, problem);
   }
 
-  /// The topics of an elastic wall are counted only.
   bool is_of_wall(const std::string& topic) const {
     const std::string of_wall = full_name("wall/");
     return topic.compare(0, of_wall.size(), of_wall) == 0;
@@ -134,8 +133,9 @@ class Pipeline {
     return message.instantiate<Message>();
   }
 
+  /// Of what is counted only.
   template <class Message>
-  bool of_wall(const rosbag::MessageInstance& message) {
+  bool count(const rosbag::MessageInstance& message) {
     const auto content = counted<Message>(message);
     if (content) inventory_.add(short_name(message), content->run);
     return content != nullptr;

@@ -71,6 +71,21 @@ TEST(Inventory, ExpectsTheTopicsOfAnElasticWallWhereThereIsOne) {
                                          "run 0: wall/contact_forces: 1 of 2 messages published"}));
 }
 
+TEST(Inventory, ExpectsAllScalarsOfARunOrNone) {
+  Inventory inventory;
+  add_run(inventory, 0);
+  inventory.add("scalars", 1);
+  add_run(inventory, 1);
+  EXPECT_TRUE(inventory.has_all_of(0));
+  EXPECT_FALSE(inventory.has_all_of(1));
+  EXPECT_EQ(inventory.states(1), 3U);  // nobody waits for them
+  EXPECT_EQ(inventory.published("scalars"), 3U);
+  EXPECT_EQ(inventory.problems(), Lines{"run 1: scalars: 1 of 3 messages published"});
+  inventory.add("scalars", 1);
+  inventory.add("scalars", 1);
+  EXPECT_EQ(inventory.problems(), Lines{});
+}
+
 TEST(Inventory, TellsRunsThatDidNotEndWell) {
   Inventory inventory;
   inventory.add("lattice", 0);

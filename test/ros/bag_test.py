@@ -38,7 +38,7 @@ class BagTest(unittest.TestCase):
         self.assertEqual(analysis.exit_code, 0, analysis.problems)
         self.assertEqual(set(analysis.topics),
                          {self.namespace + '/' + name for name in
-                          ('lattice', 'particle_states', 'contact_forces', 'run_status')})
+                          ('lattice', 'particle_states', 'contact_forces', 'run_status', 'scalars')})
         for topic, counts in analysis.topics.items():
             self.assertEqual(counts['recorded'], counts['published'], topic)
         return analysis

@@ -35,6 +35,9 @@ class LibrariesTest(unittest.TestCase):
     def test_simulation_carries_no_fits(self):
         self.assert_libraries('simulation_node', {'roscpp', 'rosbag_storage', 'gmp'} | SOLVERS, FITS)
 
+    def test_viewer_carries_what_it_draws_with(self):
+        self.assert_libraries('viewer_node', {'roscpp'}, GEOMETRY | BAGS | SOLVERS | FITS)
+
     def test_bags_are_analysed_without_geometry_and_solvers(self):
         self.assert_libraries('analyse_bag', {'rosbag_storage', 'gsl'}, GEOMETRY | SOLVERS)
 

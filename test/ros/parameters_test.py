@@ -9,6 +9,7 @@ import unittest
 import rospy
 import rostest
 from lattice_impact.msg import Acknowledged
+from rospkg import RosPack
 
 from master_witness import MasterWitness
 from programs import (PACKAGE, SMALL_COLLISION, Process, analysis, launch, node, program,
@@ -133,8 +134,8 @@ class ParametersTest(unittest.TestCase):
         self.assert_ends_without_master('__master:=nowhere', '_bag:=x.bag')
         self.assert_ends_without_master(uri='')
 
-    def assert_launch_refuses(self, file, *words, **arguments):
-        with launch(file, **arguments) as process:
+    def assert_launch_refuses(self, file, *words, environment=None, **arguments):
+        with launch(file, environment, **arguments) as process:
             self.assertEqual(process.wait(), 2, process.stderr())
             line, = process.stderr().splitlines()
             self.assertIn(file + ': ', line)
@@ -154,6 +155,15 @@ class ParametersTest(unittest.TestCase):
         self.assert_launch_refuses('collision.launch', 'none.yaml: cannot be read',
                                    scene='none.yaml')
         self.assert_launch_refuses('collision.launch', 'record: got maybe', record='maybe')
+        self.assert_launch_refuses('collision.launch', 'rviz: got maybe', rviz='maybe')
+
+    def test_launch_with_a_view_that_cannot_be_shown(self):
+        """Whether rviz is installed or not."""
+        for file in ('collision.launch', 'replay.launch'):
+            self.assert_launch_refuses(
+                file, *(['DISPLAY is not set'] if 'rviz' in RosPack().list() else
+                        ['rviz: not installed', 'package rviz']),
+                environment={'DISPLAY': ''}, rviz='true')
 
     def test_launch_of_a_replay(self):
         bag = os.path.join(self.folder, 'run.bag')

@@ -202,9 +202,13 @@ def recorder(namespace, environment=None, **parameters):
                 dict({'timeout': NODE_TIMEOUT}, **parameters), environment)
 
 
-def launch(file, **arguments):
+def viewer(namespace, environment=None):
+    return node('viewer_node', namespace + '/viewer', {}, environment)
+
+
+def launch(file, environment=None, **arguments):
     assignments = ['{}:={}'.format(name, value) for name, value in arguments.items()]
-    return Process(['roslaunch', PACKAGE, file, *assignments])
+    return Process(['roslaunch', PACKAGE, file, *assignments], environment)
 
 
 class Inbox:

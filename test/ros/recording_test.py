@@ -16,8 +16,8 @@ from results import Results
 
 SERIES = {'N': 60, 'eta': 10, 'velocity': [0.01, 0.02, 0.03, 0.05, 0.08], 'period': 0.1}
 SCENE = {'disk.points': 1000, 'impact.velocity': 0.015}
-RECORDED = {'lattice', 'particle_states', 'contact_forces', 'run_status', 'strain', 'restitution',
-            'law_fit'}
+RECORDED = {'lattice', 'particle_states', 'contact_forces', 'run_status', 'scalars', 'strain',
+            'restitution', 'law_fit'}
 
 
 class RecordingTest(unittest.TestCase):

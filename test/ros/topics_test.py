@@ -9,12 +9,11 @@ import rostest
 
 from master_witness import MasterWitness
 from programs import (PACKAGE, SMALL_ABSORBING_WALL, SMALL_COLLISION, SMALL_CONTACT, TIMEOUT,
-                      analysis, random_namespace, simulation)
+                      analysis, random_namespace, simulation, viewer)
 
 OF_EVERY_NODE = {'/rosout'}
 DIAGNOSTICS = {'/diagnostics'}
-SIMULATION = ('lattice', 'particle_states', 'contact_forces', 'run_status', 'markers',
-              'contact_wrench')
+SIMULATION = ('lattice', 'particle_states', 'contact_forces', 'run_status', 'scalars')
 WALL = ('wall/lattice', 'wall/particle_states', 'wall/contact_forces')
 ANALYSIS = ('strain', 'restitution', 'law_fit', 'acknowledged')
 
@@ -57,6 +56,18 @@ class TopicsTest(unittest.TestCase):
         topics = self.topics_of_simulation('collision', SMALL_COLLISION, exit_code=1, timeout=0.1,
                                            acknowledged_by=['nobody'])
         self.assert_simulation_topics(topics, more_subscribed=self.absolute(['acknowledged']))
+
+    def test_viewer(self):
+        with MasterWitness() as master:
+            with viewer(self.namespace, master.environment) as node:
+                master.wait_for_subscriber(self.namespace + '/wall/particle_states', TIMEOUT)
+                node.send(signal.SIGINT)
+                self.assertEqual(node.wait(), 0, node.stderr())
+            self.assertEqual(master.published(), OF_EVERY_NODE | {'/tf_static'} |
+                             self.absolute(['markers', 'contact_wrench']))
+            self.assertEqual(master.subscribed(), self.absolute(
+                ['lattice', 'particle_states', 'contact_forces', 'run_status', 'wall/lattice',
+                 'wall/particle_states']))
 
     def test_analysis(self):
         with MasterWitness() as master:

@@ -1,0 +1,73 @@
+#include "nodes/viewer_node.hpp"
+
+#include <geometry_msgs/WrenchStamped.h>
+#include <ros/callback_queue.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include "nodes/program.hpp"
+
+namespace impact {
+namespace {
+
+constexpr double kPoll = 0.1;          // s
+constexpr double kHighestRate = 60.0;  // pictures/s
+constexpr std::uint32_t kQueue = 4;    // messages
+
+}  // namespace
+
+ViewerNode::ViewerNode()
+    : markers_(node_.advertise<visualization_msgs::MarkerArray>("markers", 1, true)),
+      wrench_(node_.advertise<geometry_msgs::WrenchStamped>("contact_wrench", 1)),
+      frames_(node_.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true)) {
+  using lattice_impact::ParticleStatesConstPtr;
+  const auto add = [this](const auto& message) { assembly_.add(message); };
+  for (const char* topic : {"lattice", "wall/lattice"}) {
+    subscribers_.push_back(node_.subscribe<lattice_impact::Lattice>(topic, kQueue, add));
+  }
+  subscribers_.push_back(node_.subscribe<lattice_impact::RunStatus>("run_status", kQueue, add));
+  subscribers_.push_back(
+      node_.subscribe<lattice_impact::ParticleStates>("particle_states", kQueue, add));
+  subscribers_.push_back(
+      node_.subscribe<lattice_impact::ContactForces>("contact_forces", kQueue, add));
+  subscribers_.push_back(node_.subscribe<lattice_impact::ParticleStates>(
+      "wall/particle_states", kQueue,
+      [this](const ParticleStatesConstPtr& states) { assembly_.add_of_wall(states); }));
+}
+
+void ViewerNode::run() {
+  ros::WallRate rate(kHighestRate);
+  while (!interrupted()) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll));
+    const auto snapshot = assembly_.take();
+    if (!snapshot) continue;
+    publish(*snapshot);
+    rate.sleep();
+  }
+}
+
+void ViewerNode::publish(const Snapshot& snapshot) {
+  markers_.publish(markers_of_.draw(snapshot));
+  geometry_msgs::WrenchStamped wrench;
+  wrench.header = snapshot.forces->header;
+  wrench.header.frame_id = "world";
+  wrench.wrench.force.x = snapshot.forces->total_x;
+  wrench.wrench.force.y = snapshot.forces->total_y;
+  wrench_.publish(wrench);
+  publish_frame(snapshot);
+}
+
+/// As if it stood still, without a stamp: simulated time may go back, which moving frames may not.
+void ViewerNode::publish_frame(const Snapshot& snapshot) {
+  const Eigen::Vector2d centre = centre_of_mass(*snapshot.disk.states);
+  tf2_msgs::TFMessage frames;
+  frames.transforms.resize(1);
+  geometry_msgs::TransformStamped& frame = frames.transforms.front();
+  frame.header.frame_id = "world";
+  frame.child_frame_id = node_.resolveName("centre_of_mass").substr(1);
+  frame.transform.translation.x = centre.x();
+  frame.transform.translation.y = centre.y();
+  frame.transform.rotation.w = 1.0;
+  frames_.publish(frames);
+}
+
+}  // namespace impact

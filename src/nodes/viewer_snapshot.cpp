@@ -1,0 +1,92 @@
+#include "nodes/viewer_snapshot.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace impact {
+namespace {
+
+constexpr std::size_t kMostStates = 16;  // of which a part has come
+
+bool fit_together(const BodySnapshot& body) {
+  if (!body.lattice || !body.states || body.lattice->run != body.states->run) return false;
+  const std::size_t points = body.lattice->x.size();
+  const auto are_points = [&](const std::vector<std::uint32_t>& indices) {
+    return indices.size() == body.lattice->natural_length.size() &&
+           std::all_of(indices.begin(), indices.end(), [&](auto index) { return index < points; });
+  };
+  return points > 0 && body.states->x.size() == points && body.states->y.size() == points &&
+         body.states->vx.size() == points && body.states->vy.size() == points &&
+         are_points(body.lattice->bond_first) && are_points(body.lattice->bond_second);
+}
+
+bool fit(const lattice_impact::ContactForces& forces, const lattice_impact::ParticleStates& on) {
+  return forces.fx.size() == forces.point.size() && forces.fy.size() == forces.point.size() &&
+         std::all_of(forces.point.begin(), forces.point.end(),
+                     [&](auto point) { return point < on.x.size(); });
+}
+
+bool has_elastic_wall(const lattice_impact::RunStatus& status) {
+  return std::find(status.terms.begin(), status.terms.end(), "elastic wall") != status.terms.end();
+}
+
+}  // namespace
+
+/// The disk's begins a run, perhaps of another simulation, which counts from 0 again.
+void SnapshotAssembly::add(const lattice_impact::LatticeConstPtr& lattice) {
+  if (lattice->name == "wall") {
+    wall_ = lattice;
+  } else {
+    disk_ = lattice;
+    states_.clear();
+  }
+}
+
+void SnapshotAssembly::add(const lattice_impact::RunStatusConstPtr& status) { status_ = status; }
+
+template <class Message>
+SnapshotAssembly::State& SnapshotAssembly::state_of(const Message& message) {
+  if (states_.size() == kMostStates) states_.erase(states_.begin());
+  return states_[{message.run, message.sequence}];
+}
+
+void SnapshotAssembly::add(const lattice_impact::ParticleStatesConstPtr& states) {
+  state_of(*states).disk = states;
+}
+
+void SnapshotAssembly::add(const lattice_impact::ContactForcesConstPtr& forces) {
+  state_of(*forces).forces = forces;
+}
+
+void SnapshotAssembly::add_of_wall(const lattice_impact::ParticleStatesConstPtr& states) {
+  state_of(*states).wall = states;
+}
+
+std::optional<Snapshot> SnapshotAssembly::take() {
+  for (auto state = states_.rbegin(); state != states_.rend(); ++state) {
+    auto snapshot = snapshot_of(state->second);
+    if (!snapshot) continue;
+    states_.erase(states_.begin(), std::prev(state.base()));
+    const auto newest = std::pair(snapshot->disk.states, snapshot->status);
+    return std::exchange(taken_, newest) == newest ? std::nullopt : snapshot;
+  }
+  return std::nullopt;
+}
+
+std::optional<Snapshot> SnapshotAssembly::snapshot_of(const State& state) const {
+  Snapshot snapshot{{disk_, state.disk}, state.forces, std::nullopt, status_};
+  if (!fit_together(snapshot.disk) || !state.forces || !fit(*state.forces, *state.disk) ||
+      !status_ || status_->run != state.disk->run) {
+    return std::nullopt;
+  }
+  if (has_elastic_wall(*status_)) {
+    snapshot.wall = BodySnapshot{wall_, state.wall};
+    if (!fit_together(*snapshot.wall)) return std::nullopt;
+  }
+  return snapshot;
+}
+
+}  // namespace impact

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <lattice_impact/ContactForces.h>
+#include <lattice_impact/Lattice.h>
+#include <lattice_impact/ParticleStates.h>
+#include <lattice_impact/RunStatus.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace impact {
+
+/// A lattice and a state of it.
+struct BodySnapshot {
+  lattice_impact::LatticeConstPtr lattice;
+  lattice_impact::ParticleStatesConstPtr states;
+};
+
+/// All that is drawn of one state.
+struct Snapshot {
+  BodySnapshot disk;
+  lattice_impact::ContactForcesConstPtr forces;  ///< on the disk's points
+  std::optional<BodySnapshot> wall;              ///< of a scene with an elastic wall
+  lattice_impact::RunStatusConstPtr status;      ///< the latest of the run
+};
+
+/// Puts the messages of several topics together, of which any may be missing, and keeps the newest
+/// state of which everything has come.
+class SnapshotAssembly {
+ public:
+  void add(const lattice_impact::LatticeConstPtr& lattice);
+  void add(const lattice_impact::RunStatusConstPtr& status);
+  void add(const lattice_impact::ParticleStatesConstPtr& states);
+  void add(const lattice_impact::ContactForcesConstPtr& forces);
+  void add_of_wall(const lattice_impact::ParticleStatesConstPtr& states);
+
+  /// The newest state, if it or the status of its run has come since the last call.
+  std::optional<Snapshot> take();
+
+ private:
+  struct State {
+    lattice_impact::ParticleStatesConstPtr disk;
+    lattice_impact::ContactForcesConstPtr forces;
+    lattice_impact::ParticleStatesConstPtr wall;
+  };
+  using Position = std::pair<std::uint32_t, std::uint32_t>;  // run, sequence
+
+  template <class Message>
+  State& state_of(const Message& message);
+  std::optional<Snapshot> snapshot_of(const State& state) const;
+
+  lattice_impact::LatticeConstPtr disk_;
+  lattice_impact::LatticeConstPtr wall_;
+  lattice_impact::RunStatusConstPtr status_;
+  std::map<Position, State> states_;  ///< the newest that is whole, and those after it
+  std::pair<lattice_impact::ParticleStatesConstPtr, lattice_impact::RunStatusConstPtr> taken_;
+};
+
+}  // namespace impact
