@@ -143,7 +143,8 @@ class Program(InFolder):
         done = run('plot_impact', folder, env=environment)
         self.assertEqual((done.returncode, done.stdout), (0, f'{folder}/impact.png\n'))
         for name in ('a.svg', 'a.pdf'):
-            self.assertEqual(run('plot_impact', folder, '--output', self.folder / name).returncode, 0)
+            done = run('plot_impact', folder, '--output', self.folder / name)
+            self.assertEqual(done.returncode, 0)
         self.assertEqual(sorted(os.listdir(self.folder)), ['a.pdf', 'a.svg', 'run'])
 
     def test_bad_input_is_refused(self):
@@ -151,8 +152,8 @@ class Program(InFolder):
         self.assert_refused(run('plot_impact', self.folder / 'none'), 'no such folder or bag')
         self.assert_refused(run('plot_impact', self.folder), 'folder of impact --output')
         self.assert_refused(run('plot_impact', folder, '--output', 'a.jpg'), 'ends in .svg')
-        self.assert_refused(run('plot_impact', folder, '--output', '/none/a.svg'), 'no folder /none')
-        self.assert_refused(run('plot_impact', folder, '--animate', 'a.avi'), 'ends in .mp4 or .gif')
+        self.assert_refused(run('plot_impact', folder, '--output', '/none/a.svg'), 'no folder')
+        self.assert_refused(run('plot_impact', folder, '--animate', 'a.avi'), 'ends in .mp4')
         self.assert_refused(run('plot_impact', folder, '--animate', 'a.gif'), '--states')
         self.assert_refused(run('plot_impact', folder, '--animate', 'a.mp4', env={'PATH': '/none'}),
                             'ffmpeg is missing')

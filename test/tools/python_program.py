@@ -1,4 +1,4 @@
-"""What the tests of the Python programs share. The first argument of a test is the program impact."""
+"""What the tests of the Python programs share. Their first argument is the program impact."""
 
 import subprocess
 import sys

@@ -32,7 +32,8 @@ class BagRecording(Recording):
         self.run = self._choose(path, run, sorted({status.run for status in statuses}))
         self.statuses = sorted((status for status in statuses if status.run == self.run),
                                key=lambda status: status.sequence)
-        lattices = {message.name: message for _, message in self._messages("lattice", "wall/lattice")
+        lattices = {message.name: message
+                    for _, message in self._messages("lattice", "wall/lattice")
                     if message.run == self.run}
         if "disk" not in lattices:
             raise InputError(f"{path}: has no lattice of run {self.run}")

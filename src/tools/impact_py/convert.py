@@ -1,5 +1,5 @@
-"""Writes a recorded run for other programs: lammps (OVITO, LAMMPS), xyz (OVITO, ASE), vtk (ParaView),
-npz (NumPy)."""
+"""Writes a recorded run for other programs: lammps (OVITO, LAMMPS), xyz (OVITO, ASE), vtk
+(ParaView), npz (NumPy)."""
 
 from pathlib import Path
 

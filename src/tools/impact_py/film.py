@@ -72,7 +72,8 @@ class Film:
         force[disk:] = 0.0
         self.drawing.show(state.position, self.strains[number], force)
         velocity = state.velocity[:disk, 1].mean()
-        self.ax.set_title(f"$t = {state.time:.2f}\\,R/c$,   $v = {velocity:.{self.decimals}f}\\,c$", fontsize=9)
+        speed = f"{velocity:.{self.decimals}f}"
+        self.ax.set_title(f"$t = {state.time:.2f}\\,R/c$,   $v = {speed}\\,c$", fontsize=9)
 
 
 def write_film(recording, path):

@@ -99,8 +99,8 @@ def write_npz(recording, path):
 
 
 def write_vtk(recording, path):
-    """A .pvd that names a .vtu for each state, in a folder beside it: bonds as lines with strain and
-    natural length, points with velocity and force."""
+    """A .pvd that names a .vtu for each state, in a folder beside it: bonds as lines with strain
+    and natural length, points with velocity and force."""
     folder = path.with_name(path.stem + "_vtu")
     if folder.exists():
         raise InputError(f"{folder}: is there already")

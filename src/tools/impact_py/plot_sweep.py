@@ -1,5 +1,5 @@
-"""Draws one column of a CSV file of `sweep` against another: means over the seeds with their standard
-errors, one curve for each combination of the other keys that were swept."""
+"""Draws one column of a CSV file of `sweep` against another: means over the seeds with their
+standard errors, one curve for each combination of the other keys that were swept."""
 
 import itertools
 import math
@@ -149,7 +149,8 @@ def draw_sweep(table, x, y):
     colours = style.plt.cm.viridis(np.linspace(0, 0.87, len(found)))
     for (values, places, means, errors, _), colour, marker in zip(
             found, colours, itertools.cycle(style.MARKERS)):
-        label = ", ".join(f"{LABELS.get(key, key)} = {plain(value)}" for key, value in values.items())
+        label = ", ".join(f"{LABELS.get(key, key)} = {plain(value)}"
+                          for key, value in values.items())
         line = {**style.marker_style(colour, marker), "linestyle": "-", "linewidth": 0.6}
         ax.errorbar(places, means, errors, elinewidth=0.7, capsize=1.5, label=label, **line)
     places = np.unique(table[x])

@@ -1,4 +1,4 @@
-"""How every program here ends: 0 done, 2 after bad input, 1 when it failed; an error is one line."""
+"""How every program here ends: 0 done, 2 bad input, 1 failed; an error is one line."""
 
 import argparse
 import contextlib

@@ -42,8 +42,8 @@ STRAIN_COLOURS = LinearSegmentedColormap.from_list(
 
 
 def choose_window(wanted):
-    """Uses the style from here on, whatever a matplotlibrc says. Returns whether figures are shown in
-    a window: when that is wanted and there are a display and a toolkit."""
+    """Uses the style from here on, whatever a matplotlibrc says. Returns whether figures are shown
+    in a window: when that is wanted and there are a display and a toolkit."""
     shown = wanted and bool(os.environ.get("DISPLAY")) and matplotlib.get_backend().lower() != "agg"
     backend = matplotlib.get_backend() if shown else "Agg"
     matplotlib.rcdefaults()

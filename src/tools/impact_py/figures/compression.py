@@ -3,8 +3,8 @@
 import numpy as np
 from matplotlib.ticker import MultipleLocator
 
-from ..style import (BLACK, BLUE, GREEN, ORANGE, PURPLE, SKY, TWO_COLUMNS, letter, marker_style, panels,
-                     save_both)
+from ..style import (BLACK, BLUE, GREEN, ORANGE, PURPLE, SKY, TWO_COLUMNS, letter, marker_style,
+                     panels, save_both)
 from ..tables import read_table
 
 

@@ -49,7 +49,8 @@ def figure6(folder):
         handle = Line2D([], [], label=label, **marker_style(*style))
         if case.startswith("reset 0.004"):
             v, e, error = (curve[key] for key in ("velocity", "restitution", "restitution_error"))
-            axes[1].errorbar(v, e, np.nan_to_num(error), elinewidth=0.7, capsize=1.5, **marker_style(*style))
+            axes[1].errorbar(v, e, np.nan_to_num(error), elinewidth=0.7, capsize=1.5,
+                             **marker_style(*style))
             of_paper.append(handle)
         if case != UNIFORM:
             line = {**marker_style(*style), "linestyle": "-", "linewidth": 0.5}

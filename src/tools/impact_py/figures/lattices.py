@@ -1,4 +1,4 @@
-"""Figures 1 and 4: a lattice on its wall, bonds coloured by strain, with the forces of the contact."""
+"""Figures 1 and 4: a lattice on its wall, bonds coloured by strain, and the contact forces."""
 
 import numpy as np
 from matplotlib.ticker import MultipleLocator

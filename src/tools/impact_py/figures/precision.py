@@ -70,7 +70,8 @@ def precision_handles(curves):
     ]
     handles.append(Line2D([], [], color=BLACK, linewidth=0.6, label="Pareto front"))
     style = marker_style(BLACK, "*", False)
-    handles.append(Line2D([], [], label="auto, verified, with\nthe wanted error", markersize=7, **style))
+    label = "auto, verified, with\nthe wanted error"
+    handles.append(Line2D([], [], label=label, markersize=7, **style))
     return handles
 
 
@@ -97,7 +98,7 @@ def power_of_ten(value):
 
 
 def draw_automatic(ax, automatic, uncertainty):
-    """The verified answers of `auto`, one star where several are the same, with the wanted errors."""
+    """The verified answers of `auto`, one star for equal ones, with the wanted errors."""
     wanted, times = automatic["wanted_error"], automatic["time"]
     errors = shown(automatic["error"], uncertainty)
     style = {**marker_style(BLACK, "*", False), "markersize": 7, "zorder": 4}
