@@ -27,8 +27,9 @@ from roslib.packages import find_node, find_resource
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 PAGES = ['README.md'] + sorted('doc/' + name for name in os.listdir(os.path.join(ROOT, 'doc'))
                                if name.endswith('.md'))
-# Pages that are being written.
-TO_COME = {'doc/viewing.md'}
+# Not there yet.
+TO_COME = {'doc/figures/rviz_{}.png'.format(scene)
+           for scene in ('absorbing_wall', 'collision', 'contact')}
 TIMEOUT = 120  # s, far above what any of them takes
 
 # --- what to do with a command -----------------------------------------------------------------
@@ -91,7 +92,7 @@ RULES = (
     (r'(LATTICE_IMPACT_WRITE_DOCUMENTS=1 )?build/test/test_\w+ ', only_list),
     (r'(taskset -c 0 )?(build/test/bench_|test/bench/)\w+', only_find),
     (r'/usr/bin/python3 \w+\.py$', run()),
-    (r'rosbag |rostopic |rqt|(ROS_NAMESPACE=\w+ )?rviz ', pass_over),
+    (r'rosbag |rostopic |rqt_plot |rosrun plotjuggler |(ROS_NAMESPACE=\w+ )?rviz ', pass_over),
     (r'roslaunch ', launch),
     (r'rosrun lattice_impact (simulation|viewer)_node ', pass_over),
     (r'rosrun lattice_impact impact .*velocity=1e-9', run(codes=(2,))),
