@@ -153,8 +153,12 @@ void add_text(const Header& header, const Snapshot& snapshot, std::vector<Marker
 
 Vector2d centre_of_mass(const ParticleStates& states) { return {mean(states.x), mean(states.y)}; }
 
-void ViewerMarkers::begin(std::uint32_t run) {
-  run_ = run;
+/// Another simulation counts its runs from 0 too.
+void ViewerMarkers::begin_if_new(const ParticleStates& states) {
+  const bool goes_on = run_ == states.run && states.time >= time_;
+  time_ = states.time;
+  if (goes_on) return;
+  run_ = states.run;
   strain_range_ = kLeastStrain;
   peak_force_ = 0.0;
   trace_.clear();
@@ -171,7 +175,7 @@ void ViewerMarkers::take_in(const Snapshot& snapshot, const std::vector<double>&
 }
 
 visualization_msgs::MarkerArray ViewerMarkers::draw(const Snapshot& snapshot) {
-  if (run_ != snapshot.disk.states->run) begin(snapshot.disk.states->run);
+  begin_if_new(*snapshot.disk.states);
   Header header = snapshot.disk.states->header;
   header.frame_id = "world";
   const std::vector<double> disk_strains = strains(snapshot.disk);

@@ -32,7 +32,7 @@ class ViewerMarkers {
   double peak_force() const { return peak_force_; }
 
  private:
-  void begin(std::uint32_t run);
+  void begin_if_new(const lattice_impact::ParticleStates& states);
   void take_in(const Snapshot& snapshot, const std::vector<double>& strains);
   visualization_msgs::Marker trace(const std_msgs::Header& header) const;
   visualization_msgs::Marker forces(const std_msgs::Header& header, const Snapshot& snapshot) const;
@@ -40,6 +40,7 @@ class ViewerMarkers {
                  std::vector<visualization_msgs::Marker>& markers) const;
 
   std::optional<std::uint32_t> run_;
+  double time_ = 0.0;  ///< R/c, of the last state drawn
   double strain_range_ = 0.0;
   double peak_force_ = 0.0;
   std::vector<Eigen::Vector2d> trace_;  ///< R

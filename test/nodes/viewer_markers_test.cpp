@@ -132,7 +132,15 @@ TEST(ViewerMarkers, KeepTheWidestRangeOfARun) {
   for (const Marker& label : named(array, "scale")) labels.insert(label.text);
   EXPECT_EQ(labels, (std::set<std::string>{"", "+5 %", "0", "-5 %", "strain of bonds"}));
 
-  markers.draw(snapshot({0.0, 0.01, -0.01}, {}, {}, 1));
+  Snapshot next = snapshot({0.0, 0.01, -0.01}, {}, {}, 1);
+  markers.draw(next);
+  EXPECT_DOUBLE_EQ(markers.strain_range(), 0.01);
+
+  markers.draw(snapshot({0.0, 0.04, 0.04}, {}, {}, 1));
+  auto earlier = boost::make_shared<lattice_impact::ParticleStates>(*next.disk.states);
+  earlier->time = 0.0;  // of another simulation
+  next.disk.states = earlier;
+  markers.draw(next);
   EXPECT_DOUBLE_EQ(markers.strain_range(), 0.01);
 }
 
