@@ -2,7 +2,12 @@
 #include "nodes/viewer_node.hpp"
 
 int main(int argc, char** argv) {
-  return impact::run_node(argc, argv, "viewer_node", [] {
+  const impact::NodeDescription description{
+      "viewer_node", "Draws a simulation, live or replayed, for rviz.",
+      "  in   lattice, particle_states, contact_forces, run_status, restitution, those of wall/\n"
+      "  out  markers, contact_wrench, /tf_static\n",
+      {}};
+  return impact::run_node(argc, argv, description, [] {
     impact::ViewerNode().run();
     return 0;
   });
