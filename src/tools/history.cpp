@@ -53,8 +53,8 @@ std::string snapshot(const Run& run, const ContactReports& reports) {
   fmt::format_to(out, "ITEM: ATOMS id type x y z vx vy vz fx fy fz\n");
   for (Eigen::Index i = 0; i < position.rows(); ++i) {
     const int type = i < run.lattice().points.rows() ? 1 : 2;
-    fmt::format_to(out, "{} {} {} {} 0 {} {} 0 {} {} 0\n", i + 1, type, position(i, 0), position(i, 1),
-                   velocity(i, 0), velocity(i, 1), force(i, 0), force(i, 1));
+    fmt::format_to(out, "{} {} {} {} 0 {} {} 0 {} {} 0\n", i + 1, type, position(i, 0),
+                   position(i, 1), velocity(i, 0), velocity(i, 1), force(i, 0), force(i, 1));
   }
   return fmt::to_string(text);
 }
