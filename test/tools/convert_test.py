@@ -60,6 +60,9 @@ class Plain(Converted):
             count, comment, *rows = lines[number * (POINTS + 2):(number + 1) * (POINTS + 2)]
             self.assertEqual(int(count), POINTS)
             self.assertIn(f' Time={state.time!r} ', comment)
+            self.assertEqual([row.split()[:3] for row in rows],
+                             [[str(point + 1), '1' if point < 30 else '2', 'X']
+                              for point in range(POINTS)])
             cells = np.array([row.split()[3:] for row in rows], dtype=float)
             np.testing.assert_array_equal(cells[:, [0, 1]], state.position)
             np.testing.assert_array_equal(cells[:, [3, 4]], state.velocity)
