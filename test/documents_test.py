@@ -28,7 +28,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 PAGES = ['README.md'] + sorted('doc/' + name for name in os.listdir(os.path.join(ROOT, 'doc'))
                                if name.endswith('.md'))
 # Pages that are being written.
-TO_COME = {'doc/formats.md', 'doc/plots.md', 'doc/units.md', 'doc/viewing.md'}
+TO_COME = {'doc/formats.md', 'doc/plots.md', 'doc/viewing.md'}
 TIMEOUT = 120  # s, far above what any of them takes
 
 # --- what to do with a command -----------------------------------------------------------------
