@@ -27,9 +27,6 @@ from roslib.packages import find_node
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 PAGES = ['README.md'] + sorted('doc/' + name for name in os.listdir(os.path.join(ROOT, 'doc'))
                                if name.endswith('.md'))
-# Not there yet.
-TO_COME = {'doc/figures/rviz_{}.png'.format(scene)
-           for scene in ('absorbing_wall', 'collision', 'contact')}
 TIMEOUT = 120  # s, far above what any of them takes
 
 # --- what to do with a command -----------------------------------------------------------------
@@ -290,8 +287,7 @@ def link_failures(name):
         path = urllib.parse.unquote(path)
         there = os.path.normpath(os.path.join(os.path.dirname(name), path)) if path else name
         if not os.path.exists(os.path.join(ROOT, there)):
-            if there not in TO_COME:
-                yield '{}: there is no {}'.format(name, there)
+            yield '{}: there is no {}'.format(name, there)
         elif anchor and there.endswith('.md'):
             with open(os.path.join(ROOT, there)) as file:
                 if anchor not in anchors(file.read()):

@@ -6,8 +6,8 @@
 int main(int argc, char** argv) {
   const impact::NodeDescription description{
       "recorder_node", "Records all data and results of a series in a bag, and loses none.",
-      "  in   lattice, particle_states, contact_forces, run_status, those of wall/, strain,\n"
-      "       restitution, law_fit, acknowledged\n"
+      "  in   lattice, particle_states, contact_forces, run_status, those of wall/, scalars,\n"
+      "       strain, restitution, law_fit, acknowledged\n"
       "  out  acknowledged\n",
       impact::parameter_list(impact::recorder_node_parameters(), {})};
   return impact::run_node(argc, argv, description, [] {

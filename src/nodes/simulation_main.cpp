@@ -10,8 +10,8 @@ int main(int argc, char** argv) {
   const impact::NodeDescription description{
       "simulation_node",
       "Simulates a scene, or a series of them, and publishes lattice, states and forces.",
-      "  out  lattice, particle_states, contact_forces, run_status; with an elastic wall also\n"
-      "       wall/lattice, wall/particle_states, wall/contact_forces\n"
+      "  out  lattice, particle_states, contact_forces, run_status, scalars; with an elastic wall\n"
+      "       also wall/lattice, wall/particle_states, wall/contact_forces\n"
       "  in   acknowledged\n",
       impact::parameter_list(impact::simulation_node_parameters(), {}) +
           "\nand the keys of a scene: impact collision --keys shows those of collision.yaml.\n"};
