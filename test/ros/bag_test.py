@@ -59,7 +59,7 @@ class BagTest(unittest.TestCase):
                                delta=0.5 * result['restitution_error'])  # by rounding
         self.assertAlmostEqual(float(found[2]), result['restitution_error'],
                                delta=0.05 * result['restitution_error'])  # two digits
-        self.assertIn('messages on 4 topics, all that were published\n  bag ' + self.bag, text)
+        self.assertIn('messages on 5 topics, all that were published\n  bag ' + self.bag, text)
         self.assertNotIn('fit:', text)  # one point shows no law
         document = json.loads(run_tool('analyse_bag', self.bag, '--json').stdout)
         self.assertEqual(document[self.namespace]['runs'], [result])
