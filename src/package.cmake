@@ -11,6 +11,9 @@ if(NOT "@CMAKE_INSTALL_PREFIX@" STREQUAL "/usr")
 endif()
 ]])
 
+# roslaunch looks for launch files in every folder below the checkout.
+file(WRITE ${CMAKE_BINARY_DIR}/leave_no_copy.cmake "file(REMOVE_RECURSE \${CPACK_TEMPORARY_DIRECTORY}/usr)\n")
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ros-lattice-impact)
 set(CPACK_PACKAGE_VERSION ${lattice_impact_VERSION})
@@ -18,6 +21,7 @@ set(CPACK_PACKAGE_CONTACT "lattice_impact maintainers <maintainers@users.noreply
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "simulates the impact of a soft elastic disk on a wall")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_BINARY_DIR}/leave_out_workspace.cmake)
+set(CPACK_POST_BUILD_SCRIPTS ${CMAKE_BINARY_DIR}/leave_no_copy.cmake)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
