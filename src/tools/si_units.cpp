@@ -109,7 +109,7 @@ SiUnits::SiUnits(const RealDisk& disk, const Scene& scene)
   speed_ = wave_speed / std::sqrt(M_PI * lattice.young_modulus.value);
   origin_ = fmt::format(
       "R = {:.4g} m, E = {:.4g} Pa, ρ = {:.4g} kg/m³{}\n"
-      "  the lattice: E = {:.4g} M c²/R², Poisson's ratio fixed near {} ({})",
+      "  the lattice: E = {:.4g} M c²/R², Poisson's ratio fixed near {}\n  ({})",
       disk.radius, density * wave_speed * wave_speed, density,
       per_metre_ ? ", for each metre of thickness"
                  : fmt::format(", {:.4g} m thick", disk.thickness),

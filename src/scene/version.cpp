@@ -1,7 +1,0 @@
-#include "scene/version.hpp"
-
-namespace impact {
-
-const char* version() { return LATTICE_IMPACT_VERSION; }
-
-}  // namespace impact
