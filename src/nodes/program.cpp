@@ -51,8 +51,8 @@ bool tell(int argc, char** argv, const NodeDescription& node) {
       return true;
     }
     if (argument == "--help" || argument == "-h") {
-      fmt::print("{}\n\nTopics, below the node's namespace:\n{}\nPrivate parameters:\n{}",
-                 node.purpose, node.topics, node.parameters);
+      fmt::print("{}\n\nTopics, below the node's namespace:\n{}{}{}", node.purpose, node.topics,
+                 node.parameters.empty() ? "" : "\nPrivate parameters:\n", node.parameters);
       return true;
     }
   }

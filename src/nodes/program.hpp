@@ -10,7 +10,7 @@ struct NodeDescription {
   const char* name;
   const char* purpose;     ///< a sentence or two
   const char* topics;      ///< a line a topic
-  std::string parameters;  ///< as of parameter_list()
+  std::string parameters;  ///< as of parameter_list(); empty: none
 };
 
 /// True after SIGINT or SIGTERM, or when the ROS master has asked this node to end. A node then

@@ -18,5 +18,6 @@ env -i PATH=/usr/bin:/bin HOME="$folder" ROS_HOSTNAME=localhost ROS_MASTER_URI="
     [ \"\$(rospack find lattice_impact)\" = $tree/share/lattice_impact ]
     roslaunch -p $port lattice_impact collision.launch N:=100 velocity:=0.05 bag:=impact.bag
     rosrun lattice_impact analyse_bag impact.bag > analysis.yaml
+    rosrun lattice_impact impact collision points=100 velocity=0.05 > impact.yaml
     grep 'complete: true' analysis.yaml
   " > "$folder/log" 2>&1 || { cat "$folder/log"; exit 1; }
