@@ -6,8 +6,11 @@ cd "$1"
 
 command -v mmdebstrap > /dev/null || { echo "SKIPPED: needs mmdebstrap, as test/run.sh --package installs it"; exit 77; }
 
-rm -f ros-lattice-impact_*.deb
-cpack > cpack.log || { cat cpack.log; exit 1; }
+# Not in the build folder: roslaunch would find the copies of the launch files there.
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cpack -B "$folder" > "$folder/log" || { cat "$folder/log"; exit 1; }
+cd "$folder"
 deb=$(echo ros-lattice-impact_*_*.deb)
 
 # All in one root that is thrown away.
@@ -19,5 +22,5 @@ mmdebstrap --variant=apt --format=null --quiet \
   --customize-hook='chroot "$1" sh -c "command -v g++ && echo a compiler came along && exit 1; true"' \
   --customize-hook='chroot "$1" env HOME=/root ROS_HOSTNAME=localhost roslaunch lattice_impact collision.launch N:=300 bag:=/tmp/impact.bag' \
   --customize-hook='chroot "$1" rosrun lattice_impact analyse_bag /tmp/impact.bag > '"$PWD"'/analysis.txt' \
-  bookworm > deb_test.log 2>&1 || { tail -n 60 deb_test.log; exit 1; }
+  bookworm > log 2>&1 || { tail -n 60 log; exit 1; }
 grep -q "complete: true" analysis.txt
