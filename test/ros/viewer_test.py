@@ -2,10 +2,10 @@
 """The viewer draws what is published, live or replayed, and holds nothing up; scalars are what the
 other topics say."""
 
-import functools
 import os
 import signal
 import tempfile
+import threading
 import unittest
 
 import genpy.dynamic
@@ -22,21 +22,22 @@ SCENE = {'disk.points': 60, 'impact.velocity': 0.05, 'output.period': 0.1}
 ROUNDING = 1e-12  # of sums over the points, which are taken in another order here
 
 
-@functools.lru_cache(maxsize=None)
-def message_class(kind, definition):
-    return genpy.dynamic.generate_dynamic(kind, definition)[kind]
-
-
 class UnpackingInbox(Inbox):
     """Of messages whose Python packages need not be installed."""
 
+    _generating = threading.Lock()  # genpy is not made for several threads
+
     def __init__(self, topic):
+        self._class = None
         super().__init__(topic, rospy.AnyMsg)
 
     def _take_in(self, message):
-        header = message._connection_header
-        unpacked = message_class(header['type'], header['message_definition'])()
-        super()._take_in(unpacked.deserialize(message._buff))
+        if self._class is None:
+            kind = message._connection_header['type']
+            definition = message._connection_header['message_definition']
+            with self._generating:
+                self._class = genpy.dynamic.generate_dynamic(kind, definition)[kind]
+        super()._take_in(self._class().deserialize(message._buff))
 
 
 def text(array):
@@ -161,7 +162,7 @@ class ViewerTest(unittest.TestCase):
         with UnpackingInbox(self.namespace + '/markers') as arrays:
             with self.launch_with(script) as run:
                 arrays.wait(lambda array: 'e = ' in text(array), 'of the end')
-                poll_until(lambda: 'analysis-3] process has finished' in run.stdout(),
+                poll_until(lambda: run.stdout().count('process has finished cleanly') == 3,
                            'end of the run')
                 self.assertTrue(run.is_running())
                 open(closed, 'w').close()
