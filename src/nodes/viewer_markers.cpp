@@ -124,7 +124,7 @@ Marker wall_line(const Header& header) {
 /// e, where the run has ended with one.
 std::string restitution(const RunStatus& status) {
   if (status.phase != RunStatus::FINISHED || !std::isfinite(status.answer.restitution)) return {};
-  const std::string e = fmt::format("e = {:.6g}", status.answer.restitution);
+  std::string e = fmt::format("e = {:.6g}", status.answer.restitution);
   if (!std::isfinite(status.answer_error.restitution)) return e;
   return fmt::format("{} ± {:.1g}", e, status.answer_error.restitution);
 }
