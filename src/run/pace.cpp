@@ -37,7 +37,7 @@ double Pace::share() const { return total_ > 0.0 ? std::clamp(done_ / total_, 0.
 
 std::string Pace::text() const {
   constexpr double kLeast = 0.2;  // s that show a rate
-  const std::string per_cent = fmt::format("{:.0f} %", 100.0 * share());
+  std::string per_cent = fmt::format("{:.0f} %", 100.0 * share());
   const double elapsed = std::chrono::duration<double>(now_ - start_).count();
   const double here = done_ - done_at_start_.value_or(done_);
   if (elapsed < kLeast || here <= 0.0) return per_cent;

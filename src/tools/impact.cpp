@@ -58,7 +58,7 @@ class Work {
 
 std::string what_is_done(const Experiment& experiment) {
   const Run& run = experiment.run();
-  const std::string place =
+  std::string place =
       fmt::format("{:.3g} of about {:.2g} R/c", run.state().time, run.expected_time());
   if (experiment.runs() == 1) return place;
   return fmt::format("run {}, with finer steps, to confirm the error: {}", experiment.runs(),

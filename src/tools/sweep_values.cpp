@@ -90,6 +90,7 @@ std::vector<std::string> sweep_values(const std::string& key, const std::string&
 
 std::vector<Scene> parse_sweep(const FlatTree& keys, const std::vector<std::string>& assignments) {
   std::vector<Assignment> parsed;
+  parsed.reserve(assignments.size());
   for (const std::string& text : assignments) {
     parsed.push_back(parse_assignment(text, "key=values"));
   }
