@@ -111,10 +111,12 @@ Marker bonds(const Header& header, const std::string& name, const BodySnapshot& 
 /// The surface of a wall without a lattice, hatched as in a drawing.
 Marker wall_line(const Header& header) {
   constexpr double kWidth = 0.02;  // R
-  constexpr double kHatch = 0.09;  // R
+  constexpr int kHatches = 30;
+  constexpr double kHatch = 2.0 * kWallHalfWidth / kHatches;  // R
   Marker result = lines(header, "wall", 0, Layer::kBonds, kWidth, colour(0.35F, 0.35F, 0.35F));
   result.points = {marker_point({-kWallHalfWidth, 0.0}), marker_point({kWallHalfWidth, 0.0})};
-  for (double x = -kWallHalfWidth + kHatch; x <= kWallHalfWidth; x += kHatch) {
+  for (int k = 1; k <= kHatches; ++k) {
+    const double x = k * kHatch - kWallHalfWidth;
     result.points.push_back(marker_point({x, 0.0}));
     result.points.push_back(marker_point({x - kHatch, -kHatch}));
   }
