@@ -144,10 +144,11 @@ class ViewerTest(unittest.TestCase):
             file.write(rviz)
         os.chmod(program, 0o755)
         path = self.folder + ':' + os.environ['ROS_PACKAGE_PATH']
-        return launch('collision.launch', {'ROS_PACKAGE_PATH': path, 'DISPLAY': ':nowhere'},
-                      ns=self.namespace, bag=self.bag, rviz='true', max_rate=0,
-                      N=SCENE['disk.points'], velocity=SCENE['impact.velocity'],
-                      period=SCENE['output.period'])
+        environment = {'ROS_PACKAGE_PATH': path, 'DISPLAY': ':nowhere',
+                       'PYTHONUNBUFFERED': '1'}  # the lines of roslaunch are read as they come
+        return launch('collision.launch', environment, ns=self.namespace, bag=self.bag,
+                      rviz='true', max_rate=0, N=SCENE['disk.points'],
+                      velocity=SCENE['impact.velocity'], period=SCENE['output.period'])
 
     def test_rviz_that_fails_does_not_end_the_run(self):
         with self.launch_with('#!/bin/sh\nexit 1\n') as run:

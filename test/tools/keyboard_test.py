@@ -35,7 +35,10 @@ def run(name, *arguments):
 
 def on_a_terminal(*command):
     """What a program writes to stdout and stderr where both are a terminal."""
-    ours, theirs = pty.openpty()
+    try:
+        ours, theirs = pty.openpty()
+    except OSError as error:
+        raise unittest.SkipTest('no terminal to be had: {}'.format(error)) from None
     process = subprocess.Popen([str(PROGRAMS / command[0]), *command[1:]], stdout=theirs,
                                stderr=theirs, env=ENVIRONMENT)
     os.close(theirs)
