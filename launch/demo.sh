@@ -12,7 +12,7 @@ stage 1 "Packages of Debian"
 install $packages
 
 stage 2 "Build, into build/ and devel/"
-echo "  three minutes of processor time the first time, on $(nproc) processors"
+echo "  four minutes of processor time the first time, on $(nproc) processors"
 # The tests stay on where test/run.sh has configured them.
 first=
 [ -e build/CMakeCache.txt ] || first=-DCATKIN_ENABLE_TESTING=OFF
