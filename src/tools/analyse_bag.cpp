@@ -330,7 +330,7 @@ void analyse(const std::string& file, const ElasticParameters& elastic, Format f
   if (is_text(format)) {
     fmt::print("{}  bag {}\n", text, file);
   } else {
-    fmt::print("{}\n", format == Format::kJson ? to_json(document) : YAML::Dump(document));
+    print_document(document, format);
   }
   if (!complete) throw std::runtime_error(fmt::format("{} is not complete", file));
 }

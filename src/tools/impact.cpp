@@ -185,7 +185,7 @@ void perform(const FlatTree& keys, const Options& options) {
     fmt::print("{}", text_of(experiment, result, si));
     if (output) fmt::print("  files in {}\n", options.folder);
   } else {
-    fmt::print("{}", options.format == Format::kJson ? to_json(result) + "\n" : yaml);
+    print_document(result, options.format);
   }
   if (!output) return;
   history->close();

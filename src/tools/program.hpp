@@ -14,6 +14,7 @@
 #include "lattice/input_error.hpp"
 #include "scene/suggestion.hpp"
 #include "scene/version.hpp"
+#include "tools/result_text.hpp"
 
 namespace impact {
 
@@ -55,6 +56,11 @@ inline void offer_formats(CLI::App& app, Format& format) {
 /// Whether a result of this format is text on stdout as it is.
 inline bool is_text(Format format) {
   return format == Format::kText || (format == Format::kAuto && isatty(STDOUT_FILENO) != 0);
+}
+
+/// Prints the tree as JSON, or else as YAML.
+inline void print_document(const YAML::Node& tree, Format format) {
+  fmt::print("{}\n", format == Format::kJson ? to_json(tree) : YAML::Dump(tree));
 }
 
 /// Parses the command line, runs `body` and returns the exit code of the program: 0 when done, 2

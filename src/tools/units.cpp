@@ -141,7 +141,7 @@ void show_units(const Task& task, Format format) {
     fmt::print("{}", text(task, si));
   } else {
     const YAML::Node node = tree(task, si);
-    fmt::print("{}\n", format == Format::kJson ? to_json(node) : YAML::Dump(node));
+    print_document(node, format);
   }
 }
 
@@ -160,7 +160,7 @@ void show_result(const Task& task, const std::filesystem::path& folder, Format f
     fmt::print("{}\n{}  SI for {}\n", title(scene), result_block(result, scene, si), si.origin());
   } else {
     const YAML::Node node = si_values(result, scene, si);
-    fmt::print("{}\n", format == Format::kJson ? to_json(node) : YAML::Dump(node));
+    print_document(node, format);
   }
 }
 
