@@ -67,10 +67,10 @@ case "${1:-}" in
   --sanitize)
     case "${2:-}" in
       address)
-        sanitize address,undefined '*' lattice mechanics solvers reference scene measure theory \
-          run tools nodes ;;
+        sanitize address,undefined '*' lattice kernels mechanics statics solvers reference scene \
+          measure theory fits run output series reproduction verification nodes ;;
       # Not those of oneTBB in mechanics: it is not built with the sanitizer, which sees races in it.
-      thread) sanitize thread 'SideBySide*:RunSeries*' tools ;;
+      thread) sanitize thread 'SideBySide*:RunSeries*' series ;;
       *) echo "--sanitize: got '${2:-}', allowed: address or thread" >&2; exit 2 ;;
     esac ;;
   --fuzz) fuzz "${2:-60}" ;;

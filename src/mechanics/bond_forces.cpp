@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "mechanics/in_parts.hpp"
+#include "kernels/in_parts.hpp"
 
 namespace impact {
 

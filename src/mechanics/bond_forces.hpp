@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "kernels/kernels.hpp"
 #include "lattice/lattice.hpp"
-#include "mechanics/kernels.hpp"
 
 namespace impact {
 

@@ -3,8 +3,8 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
+#include "kernels/panel_cholesky.hpp"
 #include "mechanics/force_field.hpp"
-#include "mechanics/panel_cholesky.hpp"
 
 namespace impact {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "kernels/in_parts.hpp"
+#include "kernels/kernels.hpp"
+#include "kernels/lanes.hpp"
 #include "lattice/lattice.hpp"
-#include "mechanics/in_parts.hpp"
-#include "mechanics/kernels.hpp"
-#include "mechanics/lanes.hpp"
 
 /// What integrators do with points, of one run or, with a number for each, of kLanes runs.
 namespace impact {

@@ -2,9 +2,9 @@
 
 #include <optional>
 
+#include "kernels/panel_cholesky.hpp"
 #include "mechanics/damping_solver.hpp"
 #include "mechanics/lane_field.hpp"
-#include "mechanics/panel_cholesky.hpp"
 
 namespace impact {
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "kernels/lanes.hpp"
 #include "lattice/lattice.hpp"
 #include "mechanics/force_field.hpp"
-#include "mechanics/lanes.hpp"
 #include "mechanics/losses.hpp"
 
 namespace impact {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mechanics/lanes.hpp"
+#include "kernels/lanes.hpp"
 
 namespace impact {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mechanics/in_parts.hpp"
+#include "kernels/in_parts.hpp"
 
 namespace impact {
 namespace {

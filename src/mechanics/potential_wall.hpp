@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "kernels/kernels.hpp"
 #include "lattice/lattice.hpp"
-#include "mechanics/kernels.hpp"
 #include "mechanics/wall_contact.hpp"
 
 namespace impact {

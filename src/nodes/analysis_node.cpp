@@ -41,14 +41,14 @@ bool AnalysisNode::run() {
   subscribe<lattice_impact::ContactForces>("contact_forces");
   subscribe<lattice_impact::RunStatus>("run_status");
 
-  while (!interrupted() && !(parameters_.exit_when_done && analysis_.done())) {
+  while (!asked_to_end() && !(parameters_.exit_when_done && analysis_.done())) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll));
     if (analysis_.waits_for_missing() && source_.silence() > parameters_.patience) {
       analysis_.close();
     }
     if (parameters_.exit_when_done && nothing_more_comes()) break;
   }
-  if (parameters_.exit_when_done && !source_.has_spoken() && !interrupted()) {
+  if (parameters_.exit_when_done && !source_.has_spoken() && !asked_to_end()) {
     throw std::runtime_error(fmt::format("no message for {} s (timeout)", parameters_.timeout));
   }
   analysis_.close();
@@ -117,7 +117,7 @@ bool AnalysisNode::is_alone() const {
 /// The simulation waits until the results are taken in by the readers that it has.
 void AnalysisNode::wait_for_publishers_to_go() {
   const ros::WallTime start = ros::WallTime::now();
-  while (!is_alone() && !interrupted() &&
+  while (!is_alone() && !asked_to_end() &&
          (ros::WallTime::now() - start).toSec() < parameters_.timeout) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll));
   }

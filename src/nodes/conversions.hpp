@@ -11,6 +11,7 @@
 #include <lattice_impact/Strain.h>
 #include <ros/time.h>
 
+#include "fits/law_fit.hpp"
 #include "lattice/lattice.hpp"
 #include "measure/contact_report.hpp"
 #include "measure/impact_answer.hpp"
@@ -18,7 +19,6 @@
 #include "mechanics/body_motion.hpp"
 #include "mechanics/energy_ledger.hpp"
 #include "mechanics/state.hpp"
-#include "theory/law_fit.hpp"
 
 /// Between the project's types and its messages, to the last bit. Header, run and sequence are left
 /// to the caller.

@@ -5,7 +5,6 @@
 #include <ros/ros.h>
 #include <xmlrpcpp/XmlRpcClient.h>
 
-#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -13,12 +12,11 @@
 #include <string>
 
 #include "lattice/input_error.hpp"
+#include "output/interruption.hpp"
 #include "scene/version.hpp"
 
 namespace impact {
 namespace {
-
-volatile std::sig_atomic_t signal_received = 0;
 
 /// Before ros::init(), which waits for a master without end where a parameter is among the
 /// arguments.
@@ -61,15 +59,14 @@ bool tell(int argc, char** argv, const NodeDescription& node) {
 
 }  // namespace
 
-bool interrupted() { return signal_received != 0 || !ros::ok(); }
+bool asked_to_end() { return interrupted() || !ros::ok(); }
 
 int run_node(int argc, char** argv, const NodeDescription& node, const std::function<int()>& body) {
   if (tell(argc, argv, node)) return 0;
   try {
     find_master(argc, argv);
     ros::init(argc, argv, node.name, ros::init_options::NoSigintHandler);
-    std::signal(SIGINT, [](int) { signal_received = 1; });
-    std::signal(SIGTERM, [](int) { signal_received = 1; });
+    take_interruptions();
     return body();
   } catch (const InputError& error) {
     fmt::print(stderr, "{}: {}\n", node.name, error.what());

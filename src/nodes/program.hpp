@@ -15,9 +15,9 @@ struct NodeDescription {
 
 /// True after SIGINT or SIGTERM, or when the ROS master has asked this node to end. A node then
 /// finishes what it has begun and closes its files.
-bool interrupted();
+bool asked_to_end();
 
-/// Initialises ROS under the node's name, with signals handled by interrupted(), runs `body` and
+/// Initialises ROS under the node's name, with signals handled by asked_to_end(), runs `body` and
 /// returns the exit code of the program: what `body` returns, 2 after an InputError, 1 after any
 /// other exception, without a master at once. An error is one line on stderr. With --help or
 /// --version only prints what was asked for, and needs no master.

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "run/pace.hpp"
+#include "output/pace.hpp"
 
 namespace impact {
 

@@ -24,7 +24,7 @@ Readers::Readers(ros::NodeHandle& node, const std::vector<std::string>& names) :
 
 void Readers::wait(double timeout) {
   const ros::WallTime start = ros::WallTime::now();
-  while (!missing().empty() && !interrupted()) {
+  while (!missing().empty() && !asked_to_end()) {
     if ((ros::WallTime::now() - start).toSec() > timeout) {
       throw std::runtime_error(
           fmt::format("no subscription within {} s (timeout): {}", timeout, missing()));
@@ -74,7 +74,7 @@ Pacing::Pacing(ros::NodeHandle& node, const std::vector<std::string>& names) {
 void Pacing::wait_for_links(double timeout) {
   const ros::WallTime start = ros::WallTime::now();
   while (!acknowledged_.empty() && subscriber_.getNumPublishers() < acknowledged_.size() &&
-         !interrupted()) {
+         !asked_to_end()) {
     if ((ros::WallTime::now() - start).toSec() > timeout) {
       throw std::runtime_error(fmt::format(
           "{} of {} nodes in acknowledged_by publish on {} within {} s (timeout)",
@@ -88,7 +88,7 @@ void Pacing::wait(std::uint32_t run, std::int64_t sequence, double timeout,
                   const std::function<bool(const std::string&)>& is_there) {
   last_news_ = ros::WallTime::now();
   for (const auto& reader : acknowledged_) {
-    while (reader.second < Position{run, sequence} && !interrupted()) {
+    while (reader.second < Position{run, sequence} && !asked_to_end()) {
       if (is_there(reader.first)) {
         seen_.insert(reader.first);
       } else if (seen_.count(reader.first) > 0) {

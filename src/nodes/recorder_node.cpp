@@ -139,7 +139,7 @@ void RecorderNode::acknowledge_finished_runs() {
 bool RecorderNode::is_done() const { return first_open_run_ > inventory_.last_run(); }
 
 bool RecorderNode::nothing_more_comes() const {
-  if (interrupted()) return simulation_.silence() > kFarewell;
+  if (asked_to_end()) return simulation_.silence() > kFarewell;
   if (!simulation_.has_spoken()) return simulation_.silence() > parameters_.timeout;
   return simulation_.silence() > parameters_.patience && !simulation_is_there();
 }
@@ -152,8 +152,8 @@ void RecorderNode::finish() {
   if (!simulation_.has_spoken()) {
     bag_.discard();
     throw std::runtime_error(
-        interrupted() ? "nothing was recorded"
-                      : fmt::format("no message for {} s (timeout)", parameters_.timeout));
+        asked_to_end() ? "nothing was recorded"
+                       : fmt::format("no message for {} s (timeout)", parameters_.timeout));
   }
   std::vector<std::string> problems = inventory_.problems();
   if (problems.empty() && !is_done()) problems.emplace_back("results are missing");
@@ -165,7 +165,7 @@ void RecorderNode::finish() {
   ROS_INFO("recorded %u run(s) in %s", first_open_run_, file.c_str());
   acknowledge(first_open_run_ - 1, inventory_.states(first_open_run_ - 1));
   const ros::WallTime start = ros::WallTime::now();
-  while (simulation_is_there() && !interrupted() &&
+  while (simulation_is_there() && !asked_to_end() &&
          (ros::WallTime::now() - start).toSec() < parameters_.timeout) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll));
   }

@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
+#include "fits/law_fit.hpp"
 #include "measure/sound_answer.hpp"
 #include "nodes/conversions.hpp"
 #include "scene/scene_parameters.hpp"
-#include "theory/law_fit.hpp"
 #include "theory/quasi_static.hpp"
 
 namespace impact {

@@ -79,7 +79,7 @@ Compositions check_series(const SimulationNodeParameters& parameters,
   Forecast work;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Scene& scene = series[i];
-    if (interrupted()) return compositions;
+    if (asked_to_end()) return compositions;
     if (scene.kind == SceneKind::kStretch) {
       throw bad_value("scene", "stretch", "contact or collision in a node; see the program impact");
     }
@@ -143,15 +143,15 @@ bool SimulationNode::run_series() {
   if (wall_readers_) wall_readers_->wait(parameters_.timeout);
   scalar_readers_.wait(parameters_.timeout);
   pacing_.wait_for_links(parameters_.timeout);
-  if (!interrupted()) streams_.open_bag(parameters_.bag);
-  for (std::size_t i = 0; i < series_.size() && !interrupted(); ++i) {
+  if (!asked_to_end()) streams_.open_bag(parameters_.bag);
+  for (std::size_t i = 0; i < series_.size() && !asked_to_end(); ++i) {
     auto composition = std::exchange(compositions_[i], nullptr);
     simulate(series_[i], composition ? std::move(composition) : compose_shared(series_[i]));
     ++status_.run;
   }
-  close_bag(!interrupted());
+  close_bag(!asked_to_end());
   ros::WallDuration(parameters_.linger).sleep();
-  return !interrupted();
+  return !asked_to_end();
 }
 
 void SimulationNode::simulate(const Scene& scene,
@@ -162,7 +162,7 @@ void SimulationNode::simulate(const Scene& scene,
   try {
     control.find_resolution(composition, [this] {
       progress_->note_search();
-      return interrupted();
+      return asked_to_end();
     });
   } catch (const RunFailure& cause) {
     failure = cause.what();
@@ -203,8 +203,8 @@ Restitution SimulationNode::publish_run(Run& run, double period) {
   ImpactAnalysis analysis;
   publish_status(run, lattice_impact::RunStatus::RUNNING);
   publish_output(run, analysis);
-  while (!run.finished() && !interrupted()) {
-    run.advance(interrupted);
+  while (!run.finished() && !asked_to_end()) {
+    run.advance(asked_to_end);
     publish_output(run, analysis);
     progress_->note_states(status_.states, run.expected_time() / period);
   }

@@ -36,7 +36,7 @@ ViewerNode::ViewerNode()
 
 void ViewerNode::run() {
   ros::WallRate rate(kHighestRate);
-  while (!interrupted()) {
+  while (!asked_to_end()) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll));
     const auto snapshot = assembly_.take();
     if (!snapshot) continue;

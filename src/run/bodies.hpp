@@ -7,11 +7,11 @@
 
 #include "lattice/lattice.hpp"
 #include "mechanics/bond_forces.hpp"
-#include "mechanics/flexibility.hpp"
-#include "mechanics/folding.hpp"
 #include "mechanics/spectrum.hpp"
 #include "run/elastic_wall_body.hpp"
 #include "scene/scene.hpp"
+#include "statics/flexibility.hpp"
+#include "statics/folding.hpp"
 
 namespace impact {
 

@@ -6,9 +6,9 @@
 #include "mechanics/body_motion.hpp"
 #include "mechanics/motion.hpp"
 #include "mechanics/potential_wall.hpp"
-#include "mechanics/tethers.hpp"
 #include "run/bodies.hpp"
 #include "scene/scene.hpp"
+#include "statics/tethers.hpp"
 
 namespace impact {
 

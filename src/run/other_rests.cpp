@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "measure/strain.hpp"
-#include "mechanics/equilibrium_solver.hpp"
 #include "run/end_of_run.hpp"
+#include "statics/equilibrium_solver.hpp"
 
 namespace impact {
 namespace {

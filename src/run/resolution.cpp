@@ -13,9 +13,9 @@
 #include "mechanics/simulation.hpp"
 #include "mechanics/velocity_verlet.hpp"
 #include "run/expected_time.hpp"
-#include "run/rk8pd_offer.hpp"
 #include "scene/scene_parameters.hpp"
 #include "solvers/make_bdf.hpp"
+#include "solvers/make_rk8pd.hpp"
 
 namespace impact {
 namespace {
@@ -279,7 +279,7 @@ double round_step_down(double value, double unit) {
 void refuse_missing_integrator(const Scene& scene) {
   constexpr const char* kKey = "numerics.integrator";
   const IntegratorKind kind = scene.numerics.integrator;
-  if (kind == IntegratorKind::kRk8pd && !offers_rk8pd()) {
+  if (kind == IntegratorKind::kRk8pd && !has_rk8pd()) {
     throw bad_value(kKey, "rk8pd",
                     "another one here; the programs impact, sweep and work_precision have it");
   }
@@ -296,7 +296,7 @@ std::unique_ptr<Integrator> make_integrator(const Scene& scene, const Resolution
     case IntegratorKind::kBdf:
       return make_bdf(resolution.tolerance, scales);
     case IntegratorKind::kRk8pd:
-      return offered_rk8pd(resolution.tolerance, scales);
+      return make_rk8pd(resolution.tolerance, scales);
     default:
       return make_fixed<ForceField>(resolution.integrator);
   }

@@ -107,8 +107,8 @@ double round_step_down(double value, double unit);
 template <class Field>
 std::unique_ptr<FixedStepIntegrator<Field>> make_fixed(IntegratorKind integrator);
 
-/// @throw InputError for an integrator that the program does not have: rk8pd where it is not
-/// offered (offer_rk8pd()), bdf where the package was built without SUNDIALS.
+/// @throw InputError for an integrator that the program does not have: rk8pd where a program
+/// does without GSL, bdf where the package was built without SUNDIALS.
 void refuse_missing_integrator(const Scene& scene);
 
 /// Makes the integrator of a resolution, which the program has.

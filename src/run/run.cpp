@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "mechanics/equilibrium_solver.hpp"
 #include "run/expected_time.hpp"
 #include "run/other_rests.hpp"
+#include "statics/equilibrium_solver.hpp"
 
 namespace impact {
 namespace {

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/equilibrium_search.hpp"
 #include "mechanics/simulation.hpp"
 #include "run/compose.hpp"
 #include "run/contact_recorder.hpp"
 #include "run/end_of_run.hpp"
 #include "run/energy_monitor.hpp"
 #include "scene/scene.hpp"
+#include "statics/equilibrium_search.hpp"
 
 namespace impact {
 

@@ -16,14 +16,14 @@
 #include <utility>
 #include <vector>
 
+#include "output/interruption.hpp"
+#include "output/output_lock.hpp"
+#include "output/program.hpp"
+#include "output/progress_bar.hpp"
+#include "output/table.hpp"
 #include "scene/scene_parameters.hpp"
-#include "tools/accuracy.hpp"
-#include "tools/interruption.hpp"
-#include "tools/output_lock.hpp"
-#include "tools/program.hpp"
-#include "tools/progress_bar.hpp"
-#include "tools/random_scene.hpp"
-#include "tools/table.hpp"
+#include "verification/accuracy.hpp"
+#include "verification/random_scene.hpp"
 
 namespace impact {
 namespace {

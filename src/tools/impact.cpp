@@ -7,19 +7,18 @@
 #include <vector>
 
 #include "lattice/lammps_data.hpp"
+#include "output/interruption.hpp"
+#include "output/output_folder.hpp"
+#include "output/program.hpp"
+#include "output/progress_bar.hpp"
+#include "output/result_text.hpp"
 #include "run/compose.hpp"
 #include "run/forecast.hpp"
 #include "scene/keys.hpp"
 #include "scene/scene_files.hpp"
 #include "scene/scene_parameters.hpp"
 #include "scene/short_keys.hpp"
-#include "tools/experiment.hpp"
-#include "tools/interruption.hpp"
-#include "tools/output_folder.hpp"
-#include "tools/program.hpp"
-#include "tools/progress_bar.hpp"
-#include "tools/reference_integrator.hpp"
-#include "tools/result_text.hpp"
+#include "series/experiment.hpp"
 
 namespace impact {
 namespace {
@@ -200,7 +199,6 @@ void list_keys(const FlatTree& keys) {
 }  // namespace impact
 
 int main(int argc, char** argv) {
-  impact::offer_reference_integrator();
   CLI::App app("Simulates one scene and prints what came out.", "impact");
   std::string scene_file;
   std::vector<std::string> assignments;

@@ -5,11 +5,11 @@
 #include <string>
 #include <thread>
 
-#include "tools/interruption.hpp"
-#include "tools/output_folder.hpp"
-#include "tools/plotting.hpp"
-#include "tools/program.hpp"
-#include "tools/reproduction.hpp"
+#include "output/interruption.hpp"
+#include "output/output_folder.hpp"
+#include "output/program.hpp"
+#include "reproduction/plotting.hpp"
+#include "reproduction/reproduction.hpp"
 
 namespace impact {
 namespace {

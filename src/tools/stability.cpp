@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "tools/interruption.hpp"
-#include "tools/output_folder.hpp"
-#include "tools/program.hpp"
-#include "tools/progress_bar.hpp"
-#include "tools/series.hpp"
-#include "tools/table.hpp"
+#include "output/interruption.hpp"
+#include "output/output_folder.hpp"
+#include "output/program.hpp"
+#include "output/progress_bar.hpp"
+#include "output/table.hpp"
+#include "series/series.hpp"
 
 namespace impact {
 namespace {

@@ -5,16 +5,15 @@
 #include <thread>
 #include <vector>
 
+#include "output/interruption.hpp"
+#include "output/program.hpp"
+#include "output/progress_bar.hpp"
 #include "run/forecast.hpp"
 #include "scene/keys.hpp"
 #include "scene/scene_files.hpp"
-#include "tools/interruption.hpp"
-#include "tools/program.hpp"
-#include "tools/progress_bar.hpp"
-#include "tools/reference_integrator.hpp"
-#include "tools/series.hpp"
-#include "tools/summary.hpp"
-#include "tools/sweep_values.hpp"
+#include "series/series.hpp"
+#include "series/summary.hpp"
+#include "series/sweep_values.hpp"
 
 namespace impact {
 namespace {
@@ -54,7 +53,6 @@ void sweep(const std::string& scene_file, const std::vector<std::string>& assign
 }  // namespace impact
 
 int main(int argc, char** argv) {
-  impact::offer_reference_integrator();
   CLI::App app("Simulates a scene for all combinations of values; a row of a CSV file a run.",
                "sweep");
   std::string scene_file;

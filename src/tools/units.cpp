@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "output/program.hpp"
+#include "output/result_text.hpp"
+#include "output/si_units.hpp"
 #include "scene/disk_elasticity.hpp"
 #include "scene/keys.hpp"
 #include "scene/scene_parameters.hpp"
-#include "tools/program.hpp"
-#include "tools/result_text.hpp"
-#include "tools/si_units.hpp"
 
 namespace impact {
 namespace {

@@ -1,14 +1,13 @@
 // Error against run time, of every integrator in every kind of scene, as CSV and as plots.
 
-#include "tools/work_precision.hpp"
+#include "verification/work_precision.hpp"
 
 #include <string>
 
-#include "tools/interruption.hpp"
-#include "tools/output_folder.hpp"
-#include "tools/plotting.hpp"
-#include "tools/program.hpp"
-#include "tools/reference_integrator.hpp"
+#include "output/interruption.hpp"
+#include "output/output_folder.hpp"
+#include "output/program.hpp"
+#include "reproduction/plotting.hpp"
 
 namespace impact {
 namespace {
@@ -43,7 +42,6 @@ void measure(WorkPrecision task, bool timing) {
 }  // namespace impact
 
 int main(int argc, char** argv) {
-  impact::offer_reference_integrator();
   CLI::App app(
       "Measures error against run time: of all integrators in five scenes, of the number of "
       "points; as CSV, SVG and PNG, with a summary on stdout. Times count on an idle machine only.",

@@ -8,11 +8,11 @@
 #include <optional>
 #include <utility>
 
-#include "mechanics/folding.hpp"
 #include "mechanics/simulation.hpp"
 #include "run/compose.hpp"
 #include "run/contact_recorder.hpp"
 #include "run/energy_monitor.hpp"
+#include "statics/folding.hpp"
 
 namespace impact {
 namespace {

@@ -11,16 +11,15 @@
 #include <utility>
 #include <vector>
 
-#include "mechanics/equilibrium_solver.hpp"
+#include "kernels/threads.hpp"
 #include "mechanics/lane_field.hpp"
 #include "mechanics/simulation.hpp"
-#include "mechanics/threads.hpp"
 #include "run/compose.hpp"
 #include "run/resolution.hpp"
 #include "run/run.hpp"
-#include "tools/experiment.hpp"
-#include "tools/reference_integrator.hpp"
-#include "tools/series.hpp"
+#include "series/experiment.hpp"
+#include "series/series.hpp"
+#include "statics/equilibrium_solver.hpp"
 
 namespace impact {
 namespace {
@@ -282,7 +281,6 @@ BENCHMARK(sweep_to_answer)->Apply(jobs);
 }  // namespace impact
 
 int main(int argc, char** argv) {
-  impact::offer_reference_integrator();
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

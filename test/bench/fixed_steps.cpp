@@ -10,16 +10,16 @@
 #include <utility>
 #include <vector>
 
+#include "kernels/kernels.hpp"
 #include "lattice/input_error.hpp"
 #include "lattice/lammps_data.hpp"
-#include "mechanics/kernels.hpp"
 #include "mechanics/simulation.hpp"
+#include "output/program.hpp"
 #include "run/compose.hpp"
 #include "run/resolution.hpp"
 #include "scene/keys.hpp"
 #include "scene/scene_parameters.hpp"
 #include "scene/short_keys.hpp"
-#include "tools/program.hpp"
 
 namespace impact {
 namespace {

@@ -4,7 +4,7 @@
 #include "scene/keys.hpp"
 #include "scene/scene_parameters.hpp"
 #include "scene/short_keys.hpp"
-#include "tools/sweep_values.hpp"
+#include "series/sweep_values.hpp"
 
 namespace impact {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "lattice/placement.hpp"
-#include "mechanics/test_lattices.hpp"
+#include "test_lattices.hpp"
 
 namespace impact {
 namespace {

@@ -1,4 +1,4 @@
-#include "mechanics/in_parts.hpp"
+#include "kernels/in_parts.hpp"
 
 #include <gtest/gtest.h>
 

@@ -19,7 +19,7 @@ namespace impact {
 namespace {
 
 constexpr int kPoints = 101;  // fills no whole slice
-constexpr double kMass = 1.0 / kPoints;
+constexpr double kPointMass = 1.0 / kPoints;
 
 const Lattice& disk() {
   static const Lattice lattice = triangulated_lattice(place_in_disk({kPoints}, 1));
@@ -37,8 +37,8 @@ struct Throw {
 };
 
 ForceField field_of(const Throw& thrown) {
-  ForceField field{BondForces(disk(), {thrown.k_a, thrown.k_b, thrown.eta}), kMass};
-  field.wall.emplace(thrown.a, thrown.a * kMass);
+  ForceField field{BondForces(disk(), {thrown.k_a, thrown.k_b, thrown.eta}), kPointMass};
+  field.wall.emplace(thrown.a, thrown.a * kPointMass);
   return field;
 }
 
@@ -51,7 +51,7 @@ State start_of(const Throw& thrown) {
 }
 
 Spectrum spectrum_of(const Throw& thrown) {
-  return lattice_spectrum(disk(), {thrown.k_a, thrown.k_b, thrown.eta}, kMass);
+  return lattice_spectrum(disk(), {thrown.k_a, thrown.k_b, thrown.eta}, kPointMass);
 }
 
 template <template <class> class I>
@@ -67,7 +67,7 @@ std::unique_ptr<LaneMotion> in_lane(const Throw& thrown) {
 
 template <template <class> class I>
 LaneBundle bundle(const Throw& like, bool needs_common_step = false) {
-  return {disk(), kMass, LaneField::kind_of(field_of(like)),
+  return {disk(), kPointMass, LaneField::kind_of(field_of(like)),
           [] { return std::make_unique<I<LaneField>>(); }, needs_common_step};
 }
 
@@ -120,8 +120,9 @@ TEST(LaneBundle, IsVelocityVerletInEveryLane) {
 }
 
 TEST(LaneBundle, IsDampedVelocityVerletInEveryLane) {
-  expect_same_in_lanes<BasicVelocityVerlet>(
-      {{0.02, 1.0, kMass}, {0.05, 1.1, 2.0 * kMass}, {0.03, 0.9, 0.5 * kMass, 200.0, 0.008}});
+  expect_same_in_lanes<BasicVelocityVerlet>({{0.02, 1.0, kPointMass},
+                                             {0.05, 1.1, 2.0 * kPointMass},
+                                             {0.03, 0.9, 0.5 * kPointMass, 200.0, 0.008}});
 }
 
 TEST(LaneBundle, IsBlanesMoanInEveryLane) {
@@ -130,13 +131,13 @@ TEST(LaneBundle, IsBlanesMoanInEveryLane) {
 }
 
 TEST(LaneBundle, IsImplicitDampingInEveryLane) {
-  const double eta = 30.0 * kMass;
+  const double eta = 30.0 * kPointMass;
   expect_same_in_lanes<BasicImplicitDamping>(
       {{0.02, 1.0, eta}, {0.05, 1.1, eta}, {0.03, 0.9, eta, 200.0}, {0.02, 1.0, eta}}, true);
 }
 
 TEST(LaneBundle, IsExtrapolatedDampingInEveryLane) {
-  const double eta = 30.0 * kMass;
+  const double eta = 30.0 * kPointMass;
   expect_same_in_lanes<BasicExtrapolatedDamping>(
       {{0.02, 1.0, eta}, {0.05, 1.1, eta}, {0.03, 0.9, eta, 200.0}, {0.02, 1.0, eta}}, true);
 }
@@ -160,7 +161,7 @@ TEST(LaneBundle, HalvesTheStepOfOneLane) {
 }
 
 TEST(LaneBundle, OneWhoseStepIsHalvedLeavesACommonOne) {
-  const double eta = 30.0 * kMass;
+  const double eta = 30.0 * kPointMass;
   const Throw hard{0.3, 1.0, eta, 1000.0, 0.03};
   const auto motion = in_lane(hard);
   const auto other = in_lane({0.02, 1.0, eta, 300.0, 0.03});
@@ -245,7 +246,7 @@ TEST_P(EveryLaneKernel, HasTheBitsOfOneRun) {
       for (int k = 0; k < kLanes; ++k)
         throws.push_back({0.01 * k, 1.0 + k, eta * k, 100.0 + k, 0.01, k_b});
       throws.front() = throws.back();
-      LaneField lanes(disk(), kMass, {k_b != 0.0, eta != 0.0}, kernels);
+      LaneField lanes(disk(), kPointMass, {k_b != 0.0, eta != 0.0}, kernels);
       LaneState state;
       std::deque<ForceField> fields;
       LaneArray force;

@@ -6,7 +6,7 @@
 
 #include "mechanics/force_field.hpp"
 #include "mechanics/state.hpp"
-#include "mechanics/test_lattices.hpp"
+#include "test_lattices.hpp"
 
 namespace impact {
 

@@ -12,7 +12,7 @@ namespace impact {
 namespace {
 
 constexpr int kSide = 5;
-constexpr double kMass = 1.0 / (kSide * kSide);
+constexpr double kPatchMass = 1.0 / (kSide * kSide);
 
 /// A triangular patch above the wall, falling and spinning.
 State falling_patch() {
@@ -28,9 +28,10 @@ State falling_patch() {
 Simulation patch_simulation(double step, double eta, double a = 20.0) {
   const Lattice lattice = triangular_patch(kSide);
   const BondLaw law{1.0, 0.5, eta};
-  ForceField field{BondForces(lattice, law), kMass};
+  ForceField field{BondForces(lattice, law), kPatchMass};
   field.wall.emplace(a, 1.0);
-  return Simulation(std::move(field), falling_patch(), lattice_spectrum(lattice, law, kMass), step);
+  return Simulation(std::move(field), falling_patch(), lattice_spectrum(lattice, law, kPatchMass),
+                    step);
 }
 
 void run_until(Simulation& simulation, double time) {
@@ -93,8 +94,8 @@ TEST(Simulation, AngularMomentumOfAFreePatch) {
   const Lattice lattice = triangular_patch(kSide);
   for (const double eta : {0.0, 0.02}) {
     const BondLaw law{1.0, 0.5, eta};
-    Simulation simulation(ForceField{BondForces(lattice, law), kMass}, falling_patch(),
-                          lattice_spectrum(lattice, law, kMass), 0.005);
+    Simulation simulation(ForceField{BondForces(lattice, law), kPatchMass}, falling_patch(),
+                          lattice_spectrum(lattice, law, kPatchMass), 0.005);
     const auto angular_momentum = [&] {
       return body_motion(simulation.state().position, simulation.state().velocity).angular_momentum;
     };

@@ -11,10 +11,10 @@
 #include "mechanics/extrapolated_damping.hpp"
 #include "mechanics/implicit_damping.hpp"
 #include "mechanics/spectrum.hpp"
-#include "mechanics/test_lattices.hpp"
 #include "mechanics/velocity_verlet.hpp"
 #include "reference/rk8pd.hpp"
 #include "solvers/bdf.hpp"
+#include "test_lattices.hpp"
 
 namespace impact {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "mechanics/equilibrium_solver.hpp"
-#include "mechanics/test_lattices.hpp"
+#include "statics/equilibrium_solver.hpp"
+#include "test_lattices.hpp"
 
 namespace impact {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanics/test_lattices.hpp"
+#include "test_lattices.hpp"
 
 namespace impact {
 namespace {

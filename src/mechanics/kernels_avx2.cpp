@@ -1,9 +1,0 @@
-#include "mechanics/kernels.inc"
-
-#ifdef __AVX2__
-namespace impact {
-
-const Kernels kAvx2Kernels = kernels_named("AVX2");
-
-}  // namespace impact
-#endif

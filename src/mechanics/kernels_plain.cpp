@@ -1,7 +1,0 @@
-#include "mechanics/kernels.inc"
-
-namespace impact {
-
-const Kernels kPlainKernels = kernels_named("plain");
-
-}  // namespace impact

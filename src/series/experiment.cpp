@@ -1,0 +1,221 @@
+#include "series/experiment.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "output/restitution_yaml.hpp"
+#include "scene/scene_parameters.hpp"
+
+namespace impact {
+namespace {
+
+/// A quantity that is a real number.
+template <class Number>
+Quantity number(std::string key, Number value) {
+  return {std::move(key), [value](const Experiment& e) { return exact(value(e)); }};
+}
+
+/// A term of the energy ledger at the end.
+Quantity energy(std::string key, double EnergyLedger::*term) {
+  return number(std::move(key), [term](const auto& e) { return e.run().motion().ledger().*term; });
+}
+
+std::vector<Quantity> impact_quantities(const Scene& scene) {
+  std::vector<Quantity> list;
+  list.push_back(number("velocity", [](const auto& e) { return e.scene().impact.velocity; }));
+  for (const auto& [key, member] : impact_numbers<Restitution>()) {
+    list.push_back(
+        number(key, [member = member](const auto& e) { return e.impact().value.*member; }));
+  }
+  for (const auto& [key, member] : impact_numbers<Restitution>()) {
+    list.push_back(number(std::string(key) + "_error",
+                          [member = member](const auto& e) { return e.impact().error.*member; }));
+  }
+  list.push_back(number("restitution_of_run",
+                        [](const auto& e) { return e.restitution_of_run().restitution; }));
+  list.push_back(
+      number("restitution_of_run_error", [](const auto& e) { return e.impact().error_of_run; }));
+  list.push_back(
+      number("restitution_bound", [](const auto& e) { return e.run().restitution_bound(); }));
+  list.push_back(energy("dissipated", &EnergyLedger::dissipated));
+  if (scene.wall.kind == WallKind::kLattice) {
+    list.push_back(energy("wall_energy", &EnergyLedger::wall_lattice));
+    list.push_back(energy("absorbed", &EnergyLedger::absorbed));
+    list.push_back(energy("hops", &EnergyLedger::hops_size));
+  }
+  return list;
+}
+
+std::vector<Quantity> contact_quantities(const Scene& scene) {
+  std::vector<Quantity> list;
+  list.push_back(number("P", [](const auto& e) { return e.scene().load.p; }));
+  list.push_back(number("strain", [](const auto& e) { return e.strain().strain(); }));
+  list.push_back(
+      number("strain_from_radius", [](const auto& e) { return e.strain().strain_from_radius(); }));
+  list.push_back(number("wall_force", [](const auto& e) {
+    return e.run().motion().field().wall->total_force().y();
+  }));
+  list.push_back(number("rotation", [](const auto& e) { return e.strain().rotation; }));
+  if (scene.load.hold_rotation) {
+    list.push_back(number("hold_torque",
+                          [](const auto& e) { return e.run().motion().field().hold->torque(); }));
+  }
+  list.push_back(number("largest_static_force",
+                        [](const auto& e) { return e.run().motion().largest_static_force(); }));
+  return list;
+}
+
+std::vector<Quantity> stretch_quantities() {
+  std::vector<Quantity> list;
+  list.push_back(
+      number("young_modulus", [](const auto& e) { return e.elastic_constants().young_modulus; }));
+  list.push_back(
+      number("poisson_ratio", [](const auto& e) { return e.elastic_constants().poisson_ratio; }));
+  list.push_back(number("sound_speed", [](const auto& e) {
+    return std::sqrt(M_PI * e.elastic_constants().young_modulus);
+  }));
+  list.push_back(number("grip_modulus", [](const auto& e) { return e.grip_modulus(); }));
+  list.push_back(number("largest_static_force",
+                        [](const auto& e) { return e.run().motion().largest_static_force(); }));
+  return list;
+}
+
+/// What every result ends with.
+std::vector<Quantity> run_quantities() {
+  std::vector<Quantity> list;
+  list.push_back(number("energy_error", [](const auto& e) { return e.run().energy_error(); }));
+  list.push_back(number("estimated_error", [](const auto& e) { return e.estimated_error(); }));
+  list.push_back(
+      {"integrator", [](const auto& e) { return YAML::Node(name_of(e.run().integrator())); }});
+  list.push_back(number("step", [](const auto& e) { return e.run().motion().step_size(); }));
+  list.push_back({"steps", [](const auto& e) { return YAML::Node(e.run().state().step); }});
+  list.push_back(number("wall_time", [](const auto& e) { return e.wall_time(); }));
+  list.push_back({"flags", [](const auto& e) { return flag_list(e.run().flags()); }});
+  return list;
+}
+
+}  // namespace
+
+Experiment::Experiment(const Scene& scene, std::shared_ptr<const Composition> composition,
+                       MakeRun make_run, History* history)
+    : scene_(scene),
+      composition_(std::move(composition)),
+      make_run_(std::move(make_run)),
+      control_(scene, *composition_),
+      strain_meter_(composition_->bodies->disk.points),
+      history_(history) {
+  start_run();
+}
+
+void Experiment::start_run() {
+  analysis_ = {};
+  ++runs_;
+  if (make_run_) {
+    run_.emplace(make_run_(control_.resolution()));
+    const State start = start_of(*composition_, control_.resolution());
+    const Eigen::Index disk = composition_->bodies->disk.points.rows();
+    analysis_.add(State{0.0, 0, start.position.topRows(disk), start.velocity.topRows(disk)});
+    return;
+  }
+  run_.emplace(scene_, composition_, control_.resolution());
+  if (history_ != nullptr) history_->start();
+  take_in();
+}
+
+void Experiment::advance(const std::function<bool()>& stop) {
+  try {
+    run_->advance(stop);
+  } catch (const RunFailure& failure) {
+    control_.take_failure(failure);
+    start_run();
+    return;
+  }
+  if (history_ != nullptr || run_->finished()) take_in();
+  if (run_->finished()) end_run();
+}
+
+void Experiment::observe_step() {
+  try {
+    run_->observe_step();
+  } catch (const RunFailure& failure) {
+    control_.take_failure(failure);
+    start_run();
+    return;
+  }
+  while (run_->finished() && !finished_) {
+    take_in();
+    end_run();
+  }
+}
+
+void Experiment::end_run() {
+  finished_ = control_.accepts(*run_, restitution_of_run());
+  if (!finished_) start_run();
+}
+
+void Experiment::take_in() {
+  const ContactReports reports = run_->take_contact_reports();
+  analysis_.add(run_->disk_state());
+  analysis_.add(reports.on_disk);
+  if (history_ != nullptr) history_->add(*run_, strain(), reports);
+}
+
+Restitution Experiment::restitution_of_run() const {
+  return analysis_.restitution(!run_->has_flag("not_separated"));
+}
+
+double Experiment::answer() const {
+  return scene_.kind == SceneKind::kContact ? strain().strain() : impact().value.restitution;
+}
+
+ElasticConstants Experiment::elastic_constants() const {
+  const MiddleRegion middle{scene_.stretch.width / 4.0, scene_.stretch.height / 4.0};
+  const ElasticConstants constants =
+      stretched_constants(run_->lattice(), run_->state().position, law(), middle);
+  if (!std::isfinite(constants.young_modulus) || !std::isfinite(constants.poisson_ratio)) {
+    throw RunFailure("the middle of the rectangle has too few points for a mean strain");
+  }
+  return constants;
+}
+
+double Experiment::grip_modulus() const {
+  const MiddleRegion all{scene_.stretch.width / 2.0, scene_.stretch.height / 2.0};
+  const double pull = mean_stress(run_->lattice(), run_->state().position, law(), all)(0, 0);
+  return pull / scene_.stretch.strain;
+}
+
+BondLaw Experiment::law() const { return {scene_.material.k_a, scene_.material.k_b, 0.0}; }
+
+double Experiment::wall_time() const {
+  if (given_wall_time_) return *given_wall_time_;
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+YAML::Node Experiment::result() const {
+  YAML::Node result;
+  for (const Quantity& quantity : quantities(scene_)) {
+    result[quantity.key] = quantity.value(*this);
+  }
+  return result;
+}
+
+std::vector<Quantity> quantities(const Scene& scene) {
+  std::vector<Quantity> list;
+  switch (scene.kind) {
+    case SceneKind::kCollision:
+      list = impact_quantities(scene);
+      break;
+    case SceneKind::kContact:
+      list = contact_quantities(scene);
+      break;
+    case SceneKind::kStretch:
+      list = stretch_quantities();
+      break;
+  }
+  for (Quantity& quantity : run_quantities()) list.push_back(std::move(quantity));
+  return list;
+}
+
+}  // namespace impact

@@ -1,0 +1,418 @@
+#include "series/side_by_side.hpp"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "lattice/input_error.hpp"
+#include "mechanics/lane_bundle.hpp"
+#include "run/compose.hpp"
+#include "run/energy_monitor.hpp"
+#include "statics/equilibrium_solver.hpp"
+
+namespace impact {
+namespace {
+
+/// With more points the memory is too slow for lanes, as bench_runs measures.
+constexpr Eigen::Index kMostPoints = 20000;
+/// A step of a full bundle of searches for equilibrium takes as long as a step of this many single
+/// ones.
+constexpr std::size_t kFewestSearches = 3;
+constexpr int kCheckSteps = 64;
+/// Time of a step of a bundle, in steps of one run, as test/bench/compare_lammps and bench_runs
+/// measure it.
+constexpr double kBundleStep = 5.5;
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+struct Candidate;
+
+/// A run in lanes. It starts before the experiment asks for it; until then its candidate keeps the
+/// Run, afterwards the experiment does.
+struct LaneRun {
+  Candidate* candidate;
+  Resolution resolution;
+  LaneMotion* motion;
+  std::optional<Run> run;  ///< until the experiment asks for it
+  bool cancelled = false;
+};
+
+/// A scene on its way to its answer, by runs in lanes or, if it is static, by a search.
+struct Candidate {
+  std::size_t place;  ///< of the scene
+  std::shared_ptr<const Composition> composition;
+  EquilibriumSearch* search = nullptr;
+  std::deque<LaneRun> lane_runs{};
+  LaneRun* present = nullptr;    ///< of the experiment's run
+  std::deque<LaneRun*> ahead{};  ///< of the runs that will be asked for next, in their order
+  std::unique_ptr<Experiment> experiment{};
+  double wall_time = 0.0;  ///< s
+  std::string failure{};   ///< why it cannot go on
+};
+
+/// What motions must have in common to be in one bundle, besides their bodies.
+struct BundleKey {
+  IntegratorKind integrator;
+  LaneField::Kind kind;
+  bool needs_common_step;
+  double step;  ///< R/c; 0 where it does not matter
+  double eta;   ///< M c/R; 0 where it does not matter
+
+  auto keys() const { return std::tie(integrator, kind.cubic, kind.damped, step, eta); }
+  bool operator<(const BundleKey& other) const { return keys() < other.keys(); }
+};
+
+BundleKey bundle_key_of(const LaneRun& lane_run) {
+  const IntegratorKind integrator = lane_run.resolution.integrator;
+  const ForceField& field = lane_run.motion->field();
+  const LaneField::Kind kind = LaneField::kind_of(field);
+  const bool solves = kind.damped && solves_for_damping(integrator);
+  return {integrator, kind, solves, solves ? lane_run.motion->step_size() : 0.0,
+          solves ? field.bonds.law().eta : 0.0};
+}
+
+/// About how many steps a run of the scene takes.
+double expected_steps(const Composition& composition) {
+  return composition.expected_time / composition.resolution.step;
+}
+
+class SideBySide {
+ public:
+  SideBySide(const std::vector<Scene>& scenes, std::shared_ptr<const Bodies> bodies,
+             const std::function<bool()>& stop, const std::function<void()>& done)
+      : scenes_(scenes), stop_(stop), done_(done), bodies_(std::move(bodies)) {
+    lattice_ = bodies_->wall ? joined(bodies_->disk, bodies_->wall->lattice) : bodies_->disk;
+    try {
+      for (std::size_t i = 0; i < scenes.size(); ++i) {
+        const auto begin = Clock::now();
+        auto composition = std::make_shared<const Composition>(compose(scenes[i], bodies_));
+        candidates_.push_back({i, std::move(composition)});
+        candidates_.back().wall_time = seconds_since(begin);
+      }
+    } catch (const InputError&) {
+      outcome_.error = std::current_exception();
+    }
+    outcome_.results.resize(candidates_.size());
+  }
+
+  std::optional<SeriesOutcome> run() {
+    if (!(scenes_.front().is_static() ? solve() : move())) return std::nullopt;
+    return std::move(outcome_);
+  }
+
+ private:
+  /// Goes to the states at rest. False when told to stop.
+  bool solve() {
+    outcome_.in_lanes =
+        lattice_.points.rows() <= kMostPoints && candidates_.size() >= kFewestSearches;
+    return outcome_.in_lanes ? solve_by<LaneEquilibriumSolver>() : solve_by<EquilibriumSolver>();
+  }
+
+  template <class Solver>
+  bool solve_by() {
+    Solver solver;
+    typename Solver::Searches searches{};
+    std::array<Candidate*, Solver::kSearches> in_lanes{};
+    auto next = candidates_.begin();
+    for (;;) {
+      since_ = Clock::now();
+      for (std::size_t lane = 0; lane < searches.size() && next != candidates_.end(); ++lane) {
+        if (in_lanes[lane] != nullptr) continue;
+        in_lanes[lane] = &*next++;
+        searches[lane] = start_search(*in_lanes[lane]);
+      }
+      const auto taken = searches.size() - static_cast<std::size_t>(std::count(
+                                               in_lanes.begin(), in_lanes.end(), nullptr));
+      if (taken == 0) return true;
+      solver.advance(searches);
+      const double time = seconds_since(since_) / static_cast<double>(taken);
+      for (std::size_t lane = 0; lane < searches.size(); ++lane) {
+        if (in_lanes[lane] == nullptr) continue;
+        in_lanes[lane]->wall_time += time;
+        if (observe_search(*in_lanes[lane])) continue;
+        in_lanes[lane] = nullptr;
+        searches[lane] = nullptr;
+      }
+      if (stop_()) return false;
+    }
+  }
+
+  EquilibriumSearch* start_search(Candidate& candidate) {
+    candidate.experiment = std::make_unique<Experiment>(
+        scenes_[candidate.place], candidate.composition,
+        [this, &candidate](const Resolution& resolution) {
+          const Scene& scene = scenes_[candidate.place];
+          auto search = make_search(scene, *candidate.composition);
+          candidate.search = search.get();
+          return Run(scene, candidate.composition, resolution, std::move(search));
+        });
+    return candidate.search;
+  }
+
+  /// Observes the step that was made. False when it was the last one.
+  bool observe_search(Candidate& candidate) {
+    const auto begin = Clock::now();
+    try {
+      candidate.experiment->observe_step();
+      if (!candidate.experiment->finished()) return true;
+    } catch (const RunFailure& failure) {
+      candidate.failure = failure.what();
+    }
+    candidate.wall_time += seconds_since(begin);
+    conclude(candidate);
+    return false;
+  }
+
+  /// False when told to stop.
+  bool move() {
+    outcome_.in_lanes = lanes_pay();
+    return outcome_.in_lanes ? run_in_lanes() : run_singly();
+  }
+
+  /// Whether enough lanes will be taken for long enough that a bundle is faster than single runs.
+  /// The results are the same to the last bit, so only the time depends on this.
+  bool lanes_pay() const {
+    double all = 0.0;
+    double longest = 0.0;
+    for (const Candidate& candidate : candidates_) {
+      const double steps = expected_steps(*candidate.composition);
+      const double runs = scenes_[candidate.place].numerics.are_given() ? 1.0 : kStepsOfAllRuns;
+      all += runs * steps;
+      longest = std::max(longest, steps);
+    }
+    return lattice_.points.rows() <= kMostPoints &&
+           kBundleStep * std::max(longest, all / kLanes) < all;
+  }
+
+  bool run_singly() {
+    for (Candidate& candidate : candidates_) {
+      const auto begin = Clock::now();
+      try {
+        Experiment& experiment = *(candidate.experiment = std::make_unique<Experiment>(
+                                       scenes_[candidate.place], candidate.composition));
+        while (!experiment.finished()) {
+          if (stop_()) return false;
+          experiment.advance(stop_);
+        }
+      } catch (const RunFailure& failure) {
+        candidate.failure = failure.what();
+      }
+      candidate.wall_time += seconds_since(begin);
+      conclude(candidate);
+    }
+    return true;
+  }
+
+  bool run_in_lanes() {
+    for (Candidate& candidate : candidates_) start(candidate);
+    while (!waiting_.empty()) {
+      const auto most = std::max_element(
+          waiting_.begin(), waiting_.end(),
+          [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
+      if (!advance(most->first)) return false;
+    }
+    return true;
+  }
+
+  /// Starts the first run, and those after it as far as they are sure to be needed.
+  void start(Candidate& candidate) {
+    const auto begin = Clock::now();
+    candidate.experiment =
+        std::make_unique<Experiment>(scenes_[candidate.place], candidate.composition,
+                                     [this, &candidate](const Resolution& resolution) {
+                                       return next_run(candidate, resolution);
+                                     });
+    for (const Resolution& later : candidate.experiment->later_resolutions()) {
+      candidate.ahead.push_back(&new_lane_run(candidate, later));
+    }
+    candidate.wall_time += seconds_since(begin);
+  }
+
+  LaneRun& new_lane_run(Candidate& candidate, const Resolution& resolution) {
+    const Composition& composition = *candidate.composition;
+    auto motion = std::make_unique<LaneMotion>(composition.field, start_of(composition, resolution),
+                                               composition.rates.lattice, resolution.step);
+    LaneMotion* const in_lane = motion.get();
+    Run run(scenes_[candidate.place], candidate.composition, resolution, std::move(motion));
+    candidate.lane_runs.push_back({&candidate, resolution, in_lane, std::move(run)});
+    wait(candidate.lane_runs.back());
+    return candidate.lane_runs.back();
+  }
+
+  /// The run that the experiment asks for: one that was started ahead, or else a new one.
+  Run next_run(Candidate& candidate, const Resolution& resolution) {
+    if (!candidate.ahead.empty() && !(candidate.ahead.front()->resolution == resolution)) {
+      cancel(candidate);
+    }
+    if (candidate.ahead.empty()) {
+      candidate.present = &new_lane_run(candidate, resolution);
+    } else {
+      candidate.present = candidate.ahead.front();
+      candidate.ahead.pop_front();
+    }
+    Run run = std::move(*candidate.present->run);
+    candidate.present->run.reset();
+    return run;
+  }
+
+  static void cancel(Candidate& candidate) {
+    for (LaneRun* const lane_run : candidate.ahead) lane_run->cancelled = true;
+    candidate.ahead.clear();
+  }
+
+  void wait(LaneRun& lane_run) { waiting_[bundle_key_of(lane_run)].push_back(&lane_run); }
+
+  /// Advances the runs that wait for such a bundle until none is left. False when told to stop.
+  bool advance(const BundleKey key) {
+    LaneBundle bundle(
+        lattice_, 1.0 / static_cast<double>(bodies_->disk.points.rows()), key.kind,
+        [&] { return make_fixed<LaneField>(key.integrator); }, key.needs_common_step);
+    std::deque<LaneRun*>& queue = waiting_[key];
+    since_ = Clock::now();
+    for (int step = 1;; ++step) {
+      if (!queue.empty() && !bundle.is_full()) fill(bundle, queue);
+      if (in_bundle_.empty()) break;
+      bundle.step();
+      const auto leaving = std::partition(in_bundle_.begin(), in_bundle_.end(), stays);
+      if (leaving != in_bundle_.end()) {
+        share_time();
+        std::for_each(leaving, in_bundle_.end(),
+                      [&](LaneRun* lane_run) { send_on(*lane_run, bundle); });
+        in_bundle_.erase(leaving, in_bundle_.end());
+      }
+      if (step % kCheckSteps == 0 && stop_()) return false;
+    }
+    waiting_.erase(key);
+    return true;
+  }
+
+  void fill(LaneBundle& bundle, std::deque<LaneRun*>& queue) {
+    share_time();
+    for (; !queue.empty() && !bundle.is_full(); queue.pop_front()) {
+      LaneRun& lane_run = *queue.front();
+      if (lane_run.cancelled) {
+        lane_run.run.reset();
+        continue;
+      }
+      bundle.add(*lane_run.motion);
+      in_bundle_.push_back(&lane_run);
+    }
+  }
+
+  /// Observes the step that was made. False when the run ends here or has to go into another
+  /// bundle.
+  static bool stays(LaneRun* lane_run) {
+    if (lane_run->cancelled || !lane_run->motion->is_in_bundle()) return false;
+    Candidate& candidate = *lane_run->candidate;
+    try {
+      if (lane_run->run) {
+        lane_run->run->observe_step();
+        return !lane_run->run->finished();
+      }
+      candidate.experiment->observe_step();
+    } catch (const RunFailure& failure) {
+      if (lane_run->run) {
+        cancel(candidate);  // it will fail again if it is asked for
+      } else {
+        candidate.failure = failure.what();
+      }
+      return false;
+    }
+    return !candidate.experiment->finished() && candidate.present == lane_run;
+  }
+
+  void send_on(LaneRun& lane_run, LaneBundle& bundle) {
+    Candidate& candidate = *lane_run.candidate;
+    if (lane_run.cancelled) {
+      lane_run.run.reset();
+    } else if (lane_run.run) {
+      if (lane_run.run->finished()) {
+        bundle.leave(*lane_run.motion);
+      } else {
+        wait(lane_run);
+      }
+    } else if (!candidate.failure.empty() || candidate.experiment->finished()) {
+      cancel(candidate);
+      conclude(candidate);
+    } else if (candidate.present == &lane_run) {
+      wait(lane_run);
+    }
+  }
+
+  void conclude(Candidate& candidate) {
+    if (candidate.failure.empty()) {
+      candidate.experiment->set_wall_time(candidate.wall_time);
+      outcome_.results[candidate.place] = texts_of(*candidate.experiment);
+    } else {
+      outcome_.results[candidate.place] = failure(candidate.failure);
+    }
+    candidate.experiment.reset();
+    candidate.composition.reset();
+    done_();
+  }
+
+  void share_time() {
+    const double time = seconds_since(since_);
+    for (LaneRun* const lane_run : in_bundle_) {
+      lane_run->candidate->wall_time += time / static_cast<double>(in_bundle_.size());
+    }
+    since_ = Clock::now();
+  }
+
+  const std::vector<Scene>& scenes_;
+  const std::function<bool()>& stop_;
+  const std::function<void()>& done_;
+  std::shared_ptr<const Bodies> bodies_;
+  Lattice lattice_;  ///< of all points
+  std::deque<Candidate> candidates_;
+  std::map<BundleKey, std::deque<LaneRun*>> waiting_;
+  std::vector<LaneRun*> in_bundle_;
+  Clock::time_point since_;  ///< time is shared out up to here
+  SeriesOutcome outcome_;
+};
+
+std::string text(const YAML::Node& value) {
+  if (value.IsScalar()) return cell_text(value);
+  return fmt::format("{}", fmt::join(value.as<std::vector<std::string>>(), ";"));
+}
+
+}  // namespace
+
+ResultTexts texts_of(const Experiment& experiment) {
+  ResultTexts texts;
+  for (const auto& entry : experiment.result()) texts[entry.first.Scalar()] = text(entry.second);
+  return texts;
+}
+
+bool can_be_in_lanes(const Scene& scene) {
+  if (scene.is_static()) return true;
+  const bool known = scene.wall.kind == WallKind::kPotential || !scene.is_damped();
+  return scene.kind == SceneKind::kCollision && known && !is_adaptive(scene.numerics.integrator);
+}
+
+std::shared_ptr<const Bodies> make_common_bodies(const std::vector<Scene>& scenes) {
+  const auto damped = std::find_if(scenes.begin(), scenes.end(),
+                                   [](const Scene& scene) { return scene.is_damped(); });
+  return make_bodies(damped != scenes.end() ? *damped : scenes.front());
+}
+
+std::optional<SeriesOutcome> simulate_side_by_side(const std::vector<Scene>& scenes,
+                                                   std::shared_ptr<const Bodies> bodies,
+                                                   const std::function<bool()>& stop,
+                                                   const std::function<void()>& done) {
+  return SideBySide(scenes, std::move(bodies), stop, done).run();
+}
+
+}  // namespace impact

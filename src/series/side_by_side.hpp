@@ -1,0 +1,47 @@
+#pragma once
+
+#include <exception>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "run/bodies.hpp"
+#include "scene/scene.hpp"
+#include "series/experiment.hpp"
+#include "series/series_file.hpp"
+
+namespace impact {
+
+/// What became of scenes.
+struct SeriesOutcome {
+  /// In the order of the scenes. A run that cannot go on has its reason in its flags.
+  std::vector<ResultTexts> results{};
+  /// The InputError of the first scene that cannot be composed; it and those after it have no
+  /// result.
+  std::exception_ptr error{};
+  bool in_lanes = false;
+};
+
+/// Whether runs of the scene can advance in lanes: an impact on the potential wall or, without any
+/// damping, on an elastic one, by a method of fixed step, or a static solution.
+bool can_be_in_lanes(const Scene& scene);
+
+/// The bodies of scenes of the same bodies, with all of the spectrum that one of them needs.
+std::shared_ptr<const Bodies> make_common_bodies(const std::vector<Scene>& scenes);
+
+/// Simulates scenes of these bodies, all or none of them static and all able to be in lanes, side
+/// by side; where one run is done, another takes its lane, and the runs that an answer takes go on
+/// at the same time. Where too few lanes would be taken for too long, one scene after another. Each
+/// result is that of an Experiment by itself, to the last bit, except for wall_time: the time of a
+/// step is shared out among those that make it. `done` is told of every scene that is. @return
+/// nothing when told to stop, which is asked often.
+std::optional<SeriesOutcome> simulate_side_by_side(const std::vector<Scene>& scenes,
+                                                   std::shared_ptr<const Bodies> bodies,
+                                                   const std::function<bool()>& stop,
+                                                   const std::function<void()>& done);
+
+/// The result of a finished experiment as text.
+ResultTexts texts_of(const Experiment& experiment);
+
+}  // namespace impact

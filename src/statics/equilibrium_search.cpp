@@ -1,0 +1,114 @@
+#include "statics/equilibrium_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "statics/equilibrium_solver.hpp"
+
+namespace impact {
+namespace {
+
+/// A load that crushes the disk, P = 1, takes 1200.
+constexpr std::uint64_t kMostIterations = 2000;
+constexpr double kLongestMove = 3.0;          // in ranges 1/a of the wall
+constexpr double kSufficientDecrease = 1e-4;  // of the slope (Armijo)
+constexpr int kMostHalvings = 40;
+constexpr double kFirstShift = 1e-6;
+constexpr int kMostShifts = 8;  // each ten times the one before
+
+}  // namespace
+
+EquilibriumSearch::EquilibriumSearch(ForceField field, State initial, double tolerance)
+    : Motion(std::move(field), std::move(initial), Spectrum{}, 1.0),
+      tolerance_(tolerance),
+      force_(state_.position.rows(), 2),
+      largest_force_(evaluate()),
+      ends_(found()) {}
+
+double EquilibriumSearch::evaluate() {
+  field_.evaluate_undamped(state_.position, force_);
+  return force_.abs().maxCoeff();
+}
+
+double EquilibriumSearch::shift() const {
+  return attempt_ == 0 ? 0.0 : kFirstShift * std::pow(10.0, attempt_ - 1);
+}
+
+void EquilibriumSearch::take(const Vector& solution, const Vector& response, double scale) {
+  Vector step = solution;
+  if (field_.hold) {
+    const Eigen::Map<const Vector> direction(field_.hold->direction().data(), step.size());
+    step -= response * (direction.dot(step) / direction.dot(response));
+  }
+  const double slope = step.dot(force());
+  if (slope > 0.0 && std::isfinite(slope)) {
+    keeps_factors_ = attempt_ == 0;
+    go(shaped(step));
+  } else if (attempt_ < kMostShifts) {
+    ++attempt_;
+  } else {
+    keeps_factors_ = false;
+    go(force_ / scale);
+  }
+}
+
+/// As points, without a free shift, and no longer than the wall's range allows.
+PointArray EquilibriumSearch::shaped(const Vector& step) const {
+  PointArray moves = Eigen::Map<const PointArray>(step.data(), force_.rows(), 2);
+  for (const int axis : {0, 1}) {
+    if (field_.shifts_freely(axis)) moves.col(axis) -= moves.col(axis).mean();
+  }
+  if (field_.wall) {
+    const double longest = moves.abs().maxCoeff();
+    moves *= std::min(1.0, kLongestMove / field_.wall->a() / longest);
+  }
+  return moves;
+}
+
+void EquilibriumSearch::go(const PointArray& step) {
+  attempt_ = 0;
+  if (ends_) {
+    correction_ = step;
+    finished_ = true;
+    return;
+  }
+  count_step({});
+  const bool advanced = line_search(step);
+  ends_ = !advanced || found() || steps() == kMostIterations;
+}
+
+/// Goes along `step` as far as energy falls enough or, where energy is lost in rounding, as the
+/// largest force falls. False when neither happens.
+bool EquilibriumSearch::line_search(const PointArray& step) {
+  PointArray& position = state_.position;
+  const PointArray start = position;
+  const double energy_at_start = field_.potential_energy(start);
+  const double slope = -(step * force_).sum();
+  double length = 1.0;
+  for (int k = 0; k < kMostHalvings; ++k) {
+    position = start + length * step;
+    const bool falls =
+        field_.potential_energy(position) < energy_at_start + kSufficientDecrease * length * slope;
+    const double force = evaluate();
+    if (falls || force < largest_force_) {
+      largest_force_ = force;
+      return true;
+    }
+    length /= 2.0;
+  }
+  position = start;
+  largest_force_ = evaluate();
+  return false;
+}
+
+PointArray equilibrium_correction(const ForceField& field, const State& state) {
+  EquilibriumSearch search(field, state, std::numeric_limits<double>::infinity());
+  EquilibriumSolver solver;
+  while (!search.finished()) solver.advance({&search});
+  return search.correction();
+}
+
+}  // namespace impact

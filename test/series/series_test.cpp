@@ -1,0 +1,298 @@
+#include "series/series.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <fstream>
+#include <regex>
+#include <set>
+
+#include "expect_input_error.hpp"
+#include "scene/scene_parameters.hpp"
+#include "series/experiment.hpp"
+#include "series/side_by_side.hpp"
+
+namespace impact {
+namespace {
+
+constexpr int kRuns = 6;
+
+std::vector<Scene> scenes(const std::string& yaml) {
+  return parse_series(flatten(YAML::Load(yaml)));
+}
+
+/// Runs of unequal length, the longest first, so that threads finish out of order.
+std::vector<Scene> small_scenes() {
+  return scenes(
+      "{scene: collision, disk: {points: 40}, numerics: {step: [0.001, 0.05]}, seed: [1, 2, 3]}");
+}
+
+std::string content(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The only number that may differ between two runs, and stands before the flags.
+std::string without_wall_time(const std::string& csv) {
+  return std::regex_replace(csv, std::regex(",[^,\n]*,([^,\n]*)\n"), ",$1\n");
+}
+
+class RunSeries : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::remove(path_); }
+  std::vector<Row> run(const std::vector<Scene>& scenes, int jobs = 2) const {
+    return run_series(scenes, path_, {jobs});
+  }
+  std::string path_ = testing::TempDir() + "series.csv";
+};
+
+/// Before the others have run.
+TEST_F(RunSeries, RefusesWhatTakesTooLong) {
+  EXPECT_INPUT_ERROR(run(scenes("{scene: collision, disk: {points: [40, 41]}, "
+                                "impact: {gap: 100, velocity: [0.5, 1e-9]}}")),
+                     "numerics.longest: this scene would take about ");
+  EXPECT_FALSE(std::filesystem::exists(path_));
+}
+
+TEST_F(RunSeries, WritesTheSameBytesForAnyNumberOfThreads) {
+  run(small_scenes(), 1);
+  const std::string of_one = content(path_);
+  std::filesystem::remove(path_);
+  run(small_scenes(), 3);
+  EXPECT_EQ(without_wall_time(content(path_)), without_wall_time(of_one));
+  EXPECT_EQ(std::count(of_one.begin(), of_one.end(), '\n'), 1 + kRuns);
+}
+
+TEST_F(RunSeries, GivesTheResultsOfTheSingleExperiments) {
+  const auto rows = run(small_scenes());
+  ASSERT_EQ(rows.size(), kRuns);
+  for (const Row& row : rows) {
+    Experiment experiment(row.scene);
+    while (!experiment.finished()) experiment.advance();
+    EXPECT_EQ(row.results.at("restitution"), experiment.impact().value.restitution);
+    EXPECT_EQ(row.results.at("steps"), experiment.run().state().step);
+    EXPECT_TRUE(std::isnan(row.results.at("integrator")));
+    EXPECT_EQ(row.flags.empty(), experiment.run().flags().empty());
+  }
+  EXPECT_EQ(to_yaml(rows[4].scene), to_yaml(small_scenes()[4]));
+}
+
+TEST_F(RunSeries, GoesOnWhereTheFileEnds) {
+  const auto rows = run(small_scenes());
+  const std::string complete = content(path_);
+  for (const std::size_t length : {std::size_t{0}, std::size_t{10}, complete.find('\n') + 1,
+                                   complete.size() / 2, complete.size() - 1, complete.size()}) {
+    std::filesystem::resize_file(path_, length);
+    const std::size_t kept = content(path_).rfind('\n') + 1;
+    const auto again = run(small_scenes());
+    const std::string mended = content(path_);
+    EXPECT_EQ(without_wall_time(mended), without_wall_time(complete)) << length;
+    EXPECT_EQ(mended.substr(0, kept), complete.substr(0, kept)) << length;
+    ASSERT_EQ(again.size(), rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      EXPECT_EQ(again[i].results.at("restitution"), rows[i].results.at("restitution"));
+      EXPECT_EQ(again[i].flags, rows[i].flags);
+    }
+    std::ofstream(path_, std::ios::binary) << complete;
+  }
+}
+
+TEST_F(RunSeries, LeavesAForeignFileAlone) {
+  run(small_scenes());
+  const std::string of_series = content(path_);
+  std::vector<Scene> others = small_scenes();
+  others[2].material.k_a = 7.0;
+  const std::vector<Scene> fewer(others.begin(), others.begin() + 2);
+  EXPECT_INPUT_ERROR(run(others), "series.csv:4: material.k_a: got 1, this series has 7");
+  EXPECT_INPUT_ERROR(run(fewer), "series.csv:4: this series has 2 runs only");
+  EXPECT_EQ(content(path_), of_series);
+  for (const std::string foreign : {"time,force\n0,1\n", "no table", "\n", "\"\\x\"\n"}) {
+    std::ofstream(path_, std::ios::binary) << foreign;
+    EXPECT_INPUT_ERROR(run(others), "series.csv:1: ");
+    EXPECT_EQ(content(path_), foreign);
+  }
+}
+
+TEST_F(RunSeries, ReadsBackAnyText) {
+  {
+    SeriesFile file(path_, small_scenes());
+    file.open();
+    file.append(failure("a \"reason\",\nwith \\ in it"));
+  }
+  const auto rows = run(small_scenes());
+  EXPECT_TRUE(has_failed(rows[0]));
+  EXPECT_EQ(rows[0].flags, "failed: a \"reason\",\nwith \\ in it");
+  EXPECT_TRUE(std::isnan(rows[0].results.at("restitution")));
+  EXPECT_FALSE(has_failed(rows[1]));
+}
+
+TEST_F(RunSeries, HasOneWriterAFile) {
+  run(small_scenes());
+  const std::string of_series = content(path_);
+  const SeriesFile other(path_, small_scenes());
+  EXPECT_INPUT_ERROR(run(small_scenes()), "series.csv: another process is writing to it");
+  EXPECT_EQ(content(path_), of_series);
+}
+
+/// A disk that starts deep in the wall.
+TEST_F(RunSeries, GoesOnAfterARunThatFailed) {
+  const auto rows =
+      run(scenes("{scene: collision, disk: {points: 40}, impact: {gap: [-1, auto]}}"), 1);
+  EXPECT_TRUE(has_failed(rows[0])) << rows[0].flags;
+  EXPECT_TRUE(std::isnan(rows[0].results.at("restitution")));
+  EXPECT_FALSE(has_failed(rows[1]));
+  EXPECT_GT(rows[1].results.at("restitution"), 0.0);
+}
+
+/// Of the 31 points of the rectangle 24 are on its rim.
+TEST_F(RunSeries, SaysThatTheMiddleOfARectangleIsEmpty) {
+  const auto rows = run(scenes("{scene: stretch, stretch: {width: 0.3, height: 0.3}}"));
+  EXPECT_EQ(rows[0].flags,
+            "failed: the middle of the rectangle has too few points for a mean strain");
+}
+
+TEST_F(RunSeries, LeavesEmptyWhatASceneDoesNotHave) {
+  const auto rows = run(scenes(
+      "{scene: contact, disk: {points: 40}, numerics: {integrator: newton}, load: {hold_rotation: "
+      "[false, true]}}"));
+  EXPECT_TRUE(std::isnan(rows[0].results.at("hold_torque")));
+  EXPECT_TRUE(std::isfinite(rows[1].results.at("hold_torque")));
+  EXPECT_GT(rows[0].results.at("strain"), 0.0);
+}
+
+TEST_F(RunSeries, CreatesNothingForAFirstSceneThatCannotBeComposed) {
+  EXPECT_INPUT_ERROR(run(scenes("{scene: collision, disk: {file: /nowhere}}")), "disk.file");
+  EXPECT_FALSE(std::filesystem::exists(path_));
+}
+
+/// Impacts on one lattice that need different integrators, several runs, or halved steps (v = 0.4 c
+/// on the hard wall).
+std::vector<Scene> impacts_on_the_potential_wall() {
+  return scenes(
+      "{scene: collision, disk: {points: 20}, impact: {velocity: [0.02, 0.025, 0.03, 0.04, 0.05, "
+      "0.4]},"
+      " material: {eta: [0, 1, 100]}, wall: {a: [300, 1000]}, numerics: {error: [1.e-3, 1.e-6]}}");
+}
+
+/// All boundaries and gap measures without damping.
+std::vector<Scene> impacts_on_the_elastic_wall() {
+  std::vector<Scene> all;
+  for (const char* const wall :
+       {"reset_interval: [0.004, 0.016]", "boundary: fixed", "gap_measure: vertical"}) {
+    for (const Scene& scene :
+         scenes(fmt::format("{{scene: collision, disk: {{points: 40}}, wall: {{type: lattice, "
+                            "points: 50, {}}}, impact: {{velocity: [0.02, 0.03, 0.04, 0.05]}}}}",
+                            wall))) {
+      all.push_back(scene);
+    }
+  }
+  return all;
+}
+
+/// Loads up to crushing (the first folds, with many steps and shifts, while others finish), with
+/// and without the rotation held.
+std::vector<Scene> contacts() {
+  return scenes(
+      "{scene: contact, disk: {points: 300}, load: {P: [0.4, 1.e-4, 2.e-4, 0.003, 0.005, 0.02, "
+      "0.1],"
+      " hold_rotation: [true, false]}, material: {k_b: [0, 5]}}");
+}
+
+std::vector<Scene> stretches() {
+  return scenes(
+      "{scene: stretch, disk: {points: 300}, stretch: {strain: [1.e-4, 1.e-3, 0.01, 0.03]}}");
+}
+
+/// To the last bit. Returns the integrators that were used.
+std::set<std::string> expect_results_of_single_experiments(const std::vector<Scene>& scenes) {
+  std::set<std::string> integrators;
+  EXPECT_TRUE(std::all_of(scenes.begin(), scenes.end(), can_be_in_lanes));
+  const auto outcome = simulate_side_by_side(
+      scenes, make_common_bodies(scenes), [] { return false; }, [] {});
+  EXPECT_TRUE(outcome->in_lanes);
+  EXPECT_EQ(outcome->results.size(), scenes.size());
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    SCOPED_TRACE(i);
+    Experiment experiment(scenes[i]);
+    while (!experiment.finished()) experiment.advance();
+    ResultTexts expected = texts_of(experiment);
+    ResultTexts result = outcome->results[i];
+    integrators.insert(result.at("integrator"));
+    expected.erase("wall_time");
+    result.erase("wall_time");
+    EXPECT_EQ(result, expected);
+  }
+  return integrators;
+}
+
+TEST(SideBySide, GivesTheResultsOfSingleExperimentsToTheLastBit) {
+  EXPECT_EQ(
+      expect_results_of_single_experiments(impacts_on_the_potential_wall()),
+      (std::set<std::string>{"verlet", "blanes_moan", "implicit_damping", "extrapolated_damping"}));
+}
+
+TEST(SideBySide, DoesSoOnTheElasticWall) {
+  expect_results_of_single_experiments(impacts_on_the_elastic_wall());
+}
+
+TEST(SideBySide, DoesSoWithStaticSolutions) {
+  expect_results_of_single_experiments(contacts());
+  expect_results_of_single_experiments(stretches());
+}
+
+/// One that starts deep in the wall.
+TEST(SideBySide, OthersGoOnWhenARunFails) {
+  std::vector<Scene> scenes(12, impacts_on_the_potential_wall().front());
+  scenes[5].impact.gap = -1.0;
+  std::size_t done = 0;
+  const auto outcome = simulate_side_by_side(
+      scenes, make_common_bodies(scenes), [] { return false; }, [&] { ++done; });
+  EXPECT_TRUE(outcome->in_lanes);
+  EXPECT_EQ(done, scenes.size());
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const std::string flags = outcome->results[i].at("flags");
+    EXPECT_EQ(flags.rfind("failed: ", 0) == 0, i == 5) << flags;
+  }
+}
+
+TEST(SideBySide, StopsWhenTold) {
+  const std::vector<Scene> scenes = impacts_on_the_potential_wall();
+  EXPECT_FALSE(simulate_side_by_side(
+                   scenes, make_common_bodies(scenes), [] { return true; }, [] {})
+                   .has_value());
+}
+
+TEST_F(RunSeries, InLanesWritesTheSameBytesForAnyNumberOfThreads) {
+  const std::vector<Scene> scenes = impacts_on_the_potential_wall();
+  run(scenes, 1);
+  const std::string of_one = content(path_);
+  std::filesystem::remove(path_);
+  run(scenes, 5);
+  EXPECT_EQ(without_wall_time(content(path_)), without_wall_time(of_one));
+}
+
+TEST_F(RunSeries, StopsAtTheFirstSceneThatCannotBeComposed) {
+  EXPECT_INPUT_ERROR(
+      run(scenes("{scene: collision, disk: {points: 40}, numerics: {step: [auto, 9, 8]}}")),
+      "numerics.step: got 9");
+  const std::string csv = content(path_);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2) << csv;
+}
+
+TEST_F(RunSeries, BreaksOffBetweenRows) {
+  SeriesOptions options;
+  std::atomic<bool> stop{false};
+  options.progress = [&](std::size_t rows, std::size_t /*runs*/) { stop = rows == 3; };
+  options.stop = [&stop] { return stop.load(); };
+  EXPECT_THROW(run_series(small_scenes(), path_, options), std::runtime_error);
+  const std::string csv = content(path_);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3);
+  EXPECT_EQ(csv.back(), '\n');
+  EXPECT_EQ(run(small_scenes()).size(), kRuns);
+}
+
+}  // namespace
+}  // namespace impact

@@ -1,0 +1,55 @@
+#include "statics/folding.hpp"
+
+#include <gtest/gtest.h>
+
+#include "test_lattices.hpp"
+
+namespace impact {
+namespace {
+
+/// With its bonds sorted.
+Lattice patch(int side) {
+  const Lattice lattice = triangular_patch(side);
+  return make_lattice(lattice.points, lattice.bonds);
+}
+
+/// Euler's formula for a patch of s × s points: 2 (s − 1)² triangles.
+TEST(Triangles, FindsAllOfAPatch) {
+  for (const int side : {2, 3, 6}) {
+    EXPECT_EQ(Triangles(patch(side)).size(), 2U * (side - 1) * (side - 1));
+  }
+}
+
+/// The three bonds around a point are corners of three triangles; the outer three points are bonded
+/// to each other too, but have the point between them.
+TEST(Triangles, LeavesOutWhatHasAPointInside) {
+  PointArray points(4, 2);
+  points << 0, 0, 2, 0, 1, 2, 1, 0.7;
+  const Lattice lattice = plain_lattice(points, {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}});
+  EXPECT_EQ(Triangles(lattice).size(), 3U);
+}
+
+TEST(Triangles, TurnOverWhereAPointPassesThroughABond) {
+  const Lattice lattice = patch(5);
+  const Triangles triangles(lattice);
+  PointArray position = lattice.points;
+  EXPECT_EQ(triangles.turned_over(position), 0U);
+  position(12, 1) -= 0.8;  // the middle point, whose row lies √(3/4) above the next
+  EXPECT_EQ(triangles.turned_over(position), 0U);
+  position(12, 1) -= 0.2;  // through the bond below
+  EXPECT_EQ(triangles.turned_over(position), 1U);
+}
+
+/// Turning the body, or stretching it, folds nothing; a mirror image turns over all.
+TEST(Triangles, KnowADeformationFromAFold) {
+  const Lattice lattice = patch(4);
+  const Triangles triangles(lattice);
+  PointArray position(lattice.points.rows(), 2);
+  position << -3.0 * lattice.points.col(1), 0.1 * lattice.points.col(0);
+  EXPECT_EQ(triangles.turned_over(position), 0U);
+  position.col(0) = -position.col(0);
+  EXPECT_EQ(triangles.turned_over(position), triangles.size());
+}
+
+}  // namespace
+}  // namespace impact
