@@ -1,16 +1,18 @@
 #pragma once
 
-#include "lattice/lattice.hpp"
+#include "mechanics/force_term.hpp"
 
 namespace impact {
 
 /// The compression of eq. (3): −(P/N) ŷ on each of the N points, the same everywhere, like weight.
-class CompressionLoad {
+class CompressionLoad : public ForceTerm {
  public:
+  static constexpr const char* kName = "compression load";
+
   /// `p` in M c²/R.
   explicit CompressionLoad(double p) : p_(p) {}
 
-  void add_forces(PointArray& force) const {
+  void add_forces(const PointArray& /*position*/, PointArray& force) const {
     force.col(1) -= p_ / static_cast<double>(force.rows());
   }
 
@@ -18,6 +20,9 @@ class CompressionLoad {
 
   /// P times the height of the centre of mass, in M c².
   double potential_energy(const PointArray& position) const { return p_ * position.col(1).mean(); }
+  void enter(const PointArray& position, EnergyLedger& ledger) const {
+    ledger.load += potential_energy(position);
+  }
 
  private:
   double p_;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lattice/lattice.hpp"
+#include "mechanics/force_term.hpp"
 #include "mechanics/wall_contact.hpp"
 
 namespace impact {
@@ -28,8 +29,11 @@ enum class GapMeasure {
 ///
 /// The bond below each point is followed from evaluation to evaluation by walking along the chain,
 /// O(1) a point as long as points pass a few bonds at most in one step.
-class ElasticWall : public WallContact {
+class ElasticWall : public ForceTerm, public WallContact {
  public:
+  static constexpr const char* kName = "elastic wall";
+  static constexpr bool kInLanes = true;
+
   /// The rows 0 … disk_points − 1 of all arrays are the disk's; `surface` holds the rows of the
   /// wall's top side in the order of x. `threshold` in R.
   ElasticWall(const WallContact& law, double threshold, GapMeasure measure,
@@ -48,6 +52,11 @@ class ElasticWall : public WallContact {
 
   /// With the bond below each point as in the last evaluation.
   double potential_energy(const ConstPoints& position) const;
+  void enter(const PointArray& position, EnergyLedger& ledger) const {
+    ledger.wall += potential_energy(position);
+    ledger.hops -= hops_;
+    ledger.hops_size += hops_size_;
+  }
 
   /// What the points of the disk beside the wall would hold if its surface went on level from its
   /// ends (M c²).

@@ -1,8 +1,5 @@
 #pragma once
 
-#include "mechanics/force_field.hpp"
-#include "mechanics/state.hpp"
-
 namespace impact {
 
 /// Where the energy is, in M c². The total is constant to the integrator's order. Kinetic terms and
@@ -25,7 +22,5 @@ struct EnergyLedger {
     return kinetic() + bonds + wall + load + dissipated + wall_lattice + absorbed + hops;
   }
 };
-
-EnergyLedger energy_ledger(const ForceField& field, const State& state, const Losses& losses);
 
 }  // namespace impact

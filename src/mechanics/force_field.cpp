@@ -1,103 +1,90 @@
 #include "mechanics/force_field.hpp"
 
-#include <algorithm>
+#include "mechanics/body_motion.hpp"
 
 namespace impact {
-namespace {
-
-void add_wall_and_load(ForceField& field, const PointArray& position, PointArray& force) {
-  if (field.wall) field.wall->add_forces(position, force);
-  if (field.elastic_wall) field.elastic_wall->add_forces(position, force);
-  if (field.load) field.load->add_forces(force);
-}
-
-void constrain(ForceField& field, PointArray& force) {
-  if (field.hold) field.hold->apply(force);
-  if (field.supports) field.supports->apply(force);
-}
-
-/// Sets to zero what couples a supported coordinate to others.
-void uncouple(const Supports& supports, std::size_t points,
-              std::vector<Eigen::Triplet<double>>& entries) {
-  std::vector<bool> held(2 * points, false);
-  for (const int axis : {0, 1}) {
-    for (const std::int32_t point : supports.held(axis)) {
-      held[static_cast<std::size_t>(axis) * points + static_cast<std::size_t>(point)] = true;
-    }
-  }
-  const auto is_held = [&](int place) { return held[static_cast<std::size_t>(place)]; };
-  for (auto& entry : entries) {
-    if (entry.row() == entry.col()) continue;
-    if (is_held(entry.row()) || is_held(entry.col())) entry = {entry.row(), entry.col(), 0.0};
-  }
-}
-
-}  // namespace
 
 Losses ForceField::evaluate(const PointArray& position, const PointArray& velocity,
                             PointArray& force) {
   ++evaluations;
   Losses power;
   power.dissipated = bonds.evaluate(position, velocity, force);
-  add_wall_and_load(*this, position, force);
-  if (viscous_boundary) power.absorbed = viscous_boundary->add_forces(velocity, force);
-  constrain(*this, force);
+  for_each_term([&](auto& term) { term.add_forces(position, force); });
+  for_each_term([&](const auto& term) {
+    const impact::Losses taken = term.add_damping_forces(velocity, force);
+    power.dissipated += taken.dissipated;
+    power.absorbed += taken.absorbed;
+  });
+  for_each_term([&](auto& term) { term.constrain(force); });
   return power;
 }
 
 void ForceField::evaluate_undamped(const PointArray& position, PointArray& force) {
   ++evaluations;
   bonds.evaluate_elastic(position, force);
-  add_wall_and_load(*this, position, force);
-  constrain(*this, force);
+  for_each_term([&](auto& term) { term.add_forces(position, force); });
+  for_each_term([&](auto& term) { term.constrain(force); });
 }
 
-std::vector<Eigen::Triplet<double>> ForceField::damping(int axis) const {
-  std::vector<Eigen::Triplet<double>> entries = bonds.damping();
-  if (viscous_boundary) {
-    for (const ViscousBoundary::Dashpot& dashpot : viscous_boundary->dashpots()) {
-      entries.emplace_back(dashpot.point, dashpot.point, dashpot.coefficient(axis));
-    }
-  }
-  if (!supports) return entries;
-  std::vector<bool> held(static_cast<std::size_t>(bonds.points()), false);
-  for (const std::int32_t point : supports->held(axis)) {
-    held[static_cast<std::size_t>(point)] = true;
-  }
-  const auto is_held = [&](const Eigen::Triplet<double>& entry) {
-    return held[static_cast<std::size_t>(entry.row())] ||
-           held[static_cast<std::size_t>(entry.col())];
-  };
-  entries.erase(std::remove_if(entries.begin(), entries.end(), is_held), entries.end());
+MatrixEntries ForceField::damping(int axis) const {
+  MatrixEntries entries = bonds.damping();
+  for_each_term([&](const auto& term) { term.add_damping(axis, entries); });
+  for_each_term([&](const auto& term) { term.constrain_damping(axis, entries); });
   return entries;
 }
 
-std::vector<Eigen::Triplet<double>> ForceField::stiffness(const PointArray& position) const {
-  const auto points = static_cast<std::int32_t>(position.rows());
-  std::vector<Eigen::Triplet<double>> entries = bonds.stiffness(position);
-  if (supports) uncouple(*supports, static_cast<std::size_t>(points), entries);
-  if (!wall) return entries;
-  for (std::int32_t i = 0; i < points; ++i) {
-    const double along_y = wall->stiffness(wall->force_at(position(i, 1)));
-    entries.emplace_back(points + i, points + i, along_y);
-  }
+MatrixEntries ForceField::stiffness(const PointArray& position) const {
+  MatrixEntries entries = bonds.stiffness(position);
+  for_each_term([&](const auto& term) { term.add_stiffness(position, entries); });
+  const auto points = static_cast<std::size_t>(position.rows());
+  for_each_term([&](const auto& term) { term.constrain_stiffness(points, entries); });
   return entries;
+}
+
+bool ForceField::damped() const {
+  bool damped = bonds.damped();
+  for_each_term(
+      [&](const auto& term) { damped = damped || std::decay_t<decltype(term)>::kIsDamping; });
+  return damped;
 }
 
 bool ForceField::shifts_freely(int axis) const {
-  const bool supported = supports && !supports->held(axis).empty();
-  return !supported && (axis == 0 || !wall);
+  bool freely = true;
+  for_each_term([&](const auto& term) { freely = freely && term.shifts_freely(axis); });
+  return freely;
 }
 
 double ForceField::potential_energy(const PointArray& position) const {
-  double energy = bonds.potential_energy(position) + wall_potential_energy(position);
-  if (load) energy += load->potential_energy(position);
-  return energy;
+  EnergyLedger ledger;
+  for_each_term([&](const auto& term) { term.enter(position, ledger); });
+  return bonds.potential_energy(position) + ledger.wall + ledger.load;
 }
 
 double ForceField::wall_potential_energy(const PointArray& position) const {
-  if (wall) return wall->potential_energy(position);
-  return elastic_wall ? elastic_wall->potential_energy(position) : 0.0;
+  EnergyLedger ledger;
+  for_each_term([&](const auto& term) { term.enter(position, ledger); });
+  return ledger.wall;
+}
+
+EnergyLedger ForceField::ledger(const impact::State& state, const impact::Losses& losses) const {
+  const Eigen::Index all = state.position.rows();
+  const Eigen::Index disk = all - wall_points;
+  const auto velocity = state.velocity.topRows(disk);
+  const BodyMotion motion = body_motion(state.position.topRows(disk), velocity);
+  EnergyLedger ledger;
+  ledger.kinetic_translation = 0.5 * motion.velocity.square().sum();
+  ledger.kinetic_rotation = 0.5 * motion.angular_momentum * motion.spin();
+  ledger.kinetic_internal = 0.5 * point_mass * velocity.square().sum() -
+                            ledger.kinetic_translation - ledger.kinetic_rotation;
+  ledger.bonds = bonds.potential_energy(state.position, 0, disk);
+  ledger.dissipated = losses.dissipated;
+  ledger.absorbed = losses.absorbed;
+  if (wall_points > 0) {
+    ledger.wall_lattice = 0.5 * point_mass * state.velocity.bottomRows(wall_points).square().sum() +
+                          bonds.potential_energy(state.position, disk, all);
+  }
+  for_each_term([&](const auto& term) { term.enter(state.position, ledger); });
+  return ledger;
 }
 
 const WallContact* ForceField::contact() const {
@@ -107,13 +94,7 @@ const WallContact* ForceField::contact() const {
 
 std::vector<std::string> ForceField::terms() const {
   std::vector<std::string> names{bonds.name()};
-  if (wall) names.emplace_back("potential wall");
-  if (elastic_wall) names.emplace_back("elastic wall");
-  if (load) names.emplace_back("compression load");
-  if (viscous_boundary) names.emplace_back("viscous boundary");
-  if (velocity_reset) names.emplace_back("velocity reset");
-  if (hold) names.emplace_back("rotation hold");
-  if (supports) names.emplace_back("supports");
+  for_each_term([&](const auto& term) { names.emplace_back(std::decay_t<decltype(term)>::kName); });
   return names;
 }
 

@@ -1,14 +1,17 @@
 #pragma once
 
-#include <Eigen/SparseCore>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "mechanics/bond_forces.hpp"
 #include "mechanics/compression_load.hpp"
 #include "mechanics/elastic_wall.hpp"
+#include "mechanics/energy_ledger.hpp"
+#include "mechanics/force_term.hpp"
 #include "mechanics/losses.hpp"
 #include "mechanics/potential_wall.hpp"
 #include "mechanics/rotation_hold.hpp"
@@ -43,6 +46,23 @@ struct ForceField {
   std::optional<VelocityReset> velocity_reset{};
   std::optional<RotationHold> hold{};
   std::optional<Supports> supports{};
+
+  /// All terms but the bonds, in the order in which their forces are added.
+  template <class Field>
+  static auto every_term(Field& field) {
+    return std::tie(field.wall, field.elastic_wall, field.load, field.viscous_boundary,
+                    field.velocity_reset, field.hold, field.supports);
+  }
+  /// Calls use(term) for each term that the scene has.
+  template <class Use>
+  void for_each_term(const Use& use) {
+    visit(*this, use);
+  }
+  template <class Use>
+  void for_each_term(const Use& use) const {
+    visit(*this, use);
+  }
+
   std::uint64_t evaluations = 0;  ///< of the forces, so far
 
   /// Overwrites `force` (M c²/R, one row a point) with the total force on each point. Returns the
@@ -55,19 +75,21 @@ struct ForceField {
   /// The entries of the matrix D of the damping forces −D v along one axis (0: x, 1: y), in M c/R:
   /// those of the bonds and of a viscous boundary, those of one place to be added up. Rows and
   /// columns of supported coordinates are empty.
-  std::vector<Eigen::Triplet<double>> damping(int axis) const;
+  MatrixEntries damping(int axis) const;
 
   /// The entries of the tangent stiffness matrix −∂F/∂r (M c²/R²) of the bonds and of a potential
   /// wall, those of one place to be added up; row and column i stand for x of point i, N + i for
   /// its y. A supported coordinate has a diagonal element only.
-  std::vector<Eigen::Triplet<double>> stiffness(const PointArray& position) const;
+  MatrixEntries stiffness(const PointArray& position) const;
 
   /// Of bonds, wall and load, in M c².
   double potential_energy(const PointArray& position) const;
   double wall_potential_energy(const PointArray& position) const;
+  /// Where the energy is, after these losses.
+  EnergyLedger ledger(const impact::State& state, const impact::Losses& losses) const;
 
   /// Whether forces depend on velocities.
-  bool damped() const { return bonds.damped() || viscous_boundary; }
+  bool damped() const;
 
   /// Whether a rigid shift along this axis (0: x, 1: y) costs no energy, so that forces are the
   /// same after it.
@@ -85,6 +107,15 @@ struct ForceField {
 
   /// Names of the terms that are evaluated.
   std::vector<std::string> terms() const;
+
+ private:
+  template <class Field, class Use>
+  static void visit(Field& field, const Use& use) {
+    const auto visit_one = [&](auto& term) {
+      if (term) use(*term);
+    };
+    std::apply([&](auto&... terms) { (visit_one(terms), ...); }, every_term(field));
+  }
 };
 
 }  // namespace impact

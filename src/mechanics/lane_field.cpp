@@ -2,12 +2,19 @@
 
 #include <limits>
 #include <numeric>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
 
 namespace impact {
 
 bool LaneField::knows(const ForceField& field) {
-  const bool at_a_wall = field.wall || (field.elastic_wall && !field.damped());
-  return at_a_wall && !field.load && !field.hold;
+  // The loops of the lanes have either a potential wall, or no damping and what acts by itself.
+  const bool at_a_wall = (field.wall && !field.supports) || (field.elastic_wall && !field.damped());
+  bool known = true;
+  field.for_each_term(
+      [&](const auto& term) { known = known && std::decay_t<decltype(term)>::kInLanes; });
+  return known && at_a_wall;
 }
 
 LaneField::LaneField(const Lattice& lattice, double mass, Kind kind, const Kernels& kernels)
@@ -31,14 +38,23 @@ void LaneField::set_lane(int lane, ForceField& field) {
   k_a_(lane) = bonds.k_a;
   k_b_(lane) = bonds.k_b;
   eta_(lane) = bonds.eta;
-  if (field.wall) {
-    const WallLaw wall = field.wall->law();
-    wall_a_(lane) = wall.a;
-    wall_force_at_zero_(lane) = wall.force_at_zero;
-    wall_reach_(lane) = wall.reach;
-  }
+  field.for_each_term([&](const auto& term) {
+    using Term = std::decay_t<decltype(term)>;
+    if constexpr (Term::kInLanes) {
+      take(lane, term);
+    } else {
+      throw std::logic_error(std::string("lanes do not know the term ") + Term::kName);
+    }
+  });
   fields_[static_cast<std::size_t>(lane)] = &field;
   if (kind_.damped) latest_ = field;
+}
+
+void LaneField::take(int lane, const PotentialWall& wall) {
+  const WallLaw law = wall.law();
+  wall_a_(lane) = law.a;
+  wall_force_at_zero_(lane) = law.force_at_zero;
+  wall_reach_(lane) = law.reach;
 }
 
 void LaneField::clear_lane(int lane) {
@@ -55,7 +71,7 @@ void LaneField::add_own_terms(const LaneArray& position, LaneArray& force) {
     ForceField* const field = fields_[static_cast<std::size_t>(lane)];
     if (field == nullptr) continue;
     field->elastic_wall->add_forces(position.lane(lane), force.lane(lane));
-    if (field->supports) field->supports->apply(force.lane(lane));
+    if (field->supports) field->supports->constrain(force.lane(lane));
   }
 }
 

@@ -36,14 +36,15 @@ class LaneField {
   static Kind kind_of(const ForceField& field) {
     return {field.bonds.law().k_b != 0.0, field.damped(), field.elastic_wall.has_value()};
   }
-  /// Whether lanes know all terms of the field.
+  /// Whether lanes take over all terms of the field, see set_lane().
   static bool knows(const ForceField& field);
 
   LaneField(const Lattice& lattice, double mass, Kind kind,
             const Kernels& kernels = impact::kernels());
 
-  /// Puts a field of this kind, which lanes know, in a lane. Its elastic wall goes on there, and
-  /// its supports.
+  /// Puts a field of this kind in a lane. Its elastic wall goes on there, and its supports.
+  /// @throw std::logic_error for a term that lanes do not know: it would be missing from the
+  /// motion.
   void set_lane(int lane, ForceField& field);
   /// In an empty lane nothing acts.
   void clear_lane(int lane);
@@ -67,6 +68,11 @@ class LaneField {
   std::uint64_t evaluations = 0;  ///< so far
 
  private:
+  void take(int lane, const PotentialWall& wall);
+  // These act on each lane by themselves.
+  void take(int /*lane*/, const ElasticWall& /*wall*/) {}
+  void take(int /*lane*/, const Supports& /*supports*/) {}
+  void take(int /*lane*/, const VelocityReset& /*reset*/) {}
   void add_own_terms(const LaneArray& position, LaneArray& force);
   LaneNumbers evaluate(bool damped, const LaneArray& position, const double* velocity,
                        LaneArray& force);

@@ -33,7 +33,7 @@ class Motion {
   int halvings() const { return halvings_; }
 
   virtual double kinetic_energy() const;  ///< of all points, M c²
-  EnergyLedger ledger() const { return energy_ledger(field_, state(), losses_); }
+  EnergyLedger ledger() const { return field_.ledger(state(), losses_); }
 
   /// Largest component, over all points, of the force on a point at rest in the present
   /// configuration, in M c²/R.

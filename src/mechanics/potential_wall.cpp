@@ -28,6 +28,13 @@ void PotentialWall::add_forces(const PointArray& position, PointArray& force) {
   take_in({0.0, all.total}, all.largest);
 }
 
+void PotentialWall::add_stiffness(const PointArray& position, MatrixEntries& entries) const {
+  const auto points = static_cast<std::int32_t>(position.rows());
+  for (std::int32_t i = 0; i < points; ++i) {
+    entries.emplace_back(points + i, points + i, stiffness(force_at(position(i, 1))));
+  }
+}
+
 WallLaw PotentialWall::law() const { return {a(), force_at(0.0), kReach / a()}; }
 
 double PotentialWall::potential_energy(const PointArray& position) const {

@@ -4,6 +4,7 @@
 
 #include "kernels/kernels.hpp"
 #include "lattice/lattice.hpp"
+#include "mechanics/force_term.hpp"
 #include "mechanics/wall_contact.hpp"
 
 namespace impact {
@@ -11,15 +12,23 @@ namespace impact {
 /// The repulsive wall at y = 0 of eqs. (3) and (6): potential V₀ exp(−a y) and force
 /// a V₀ exp(−a y) ŷ on every point. Where a y exceeds 60 a point feels nothing: the potential
 /// there is below 10⁻²⁶ V₀.
-class PotentialWall : public WallContact {
+class PotentialWall : public ForceTerm, public WallContact {
  public:
+  static constexpr const char* kName = "potential wall";
+  static constexpr bool kInLanes = true;
+
   using WallContact::WallContact;
 
   void add_forces(const PointArray& position, PointArray& force);
 
   WallLaw law() const;
 
+  void add_stiffness(const PointArray& position, MatrixEntries& entries) const;
+  bool shifts_freely(int axis) const { return axis == 0; }
   double potential_energy(const PointArray& position) const;
+  void enter(const PointArray& position, EnergyLedger& ledger) const {
+    ledger.wall += potential_energy(position);
+  }
 
   /// Height of the lowest point, everything moved up or down rigidly, at which the potential
   /// energy of these points is `energy` (M c²).

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lattice/lattice.hpp"
+#include "mechanics/force_term.hpp"
 
 namespace impact {
 
@@ -10,8 +10,10 @@ namespace impact {
 /// linear in the positions; its forces λ ẑ × R_i have no resultant, do no work, and leave
 /// accelerations that satisfy it. A pressed random disk would otherwise roll, since its centre of
 /// mass lies off its middle.
-class RotationHold {
+class RotationHold : public ForceTerm {
  public:
+  static constexpr const char* kName = "rotation hold";
+
   explicit RotationHold(const PointArray& reference) : direction_(reference.rows(), 2) {
     const PointArray arm = reference.rowwise() - reference.colwise().mean();
     direction_.col(0) = -arm.col(1);
@@ -19,8 +21,8 @@ class RotationHold {
     norm_squared_ = direction_.square().sum();
   }
 
-  /// Adds the constraint's forces. To be called after all others.
-  void apply(PointArray& force) {
+  /// Adds the constraint's forces.
+  void constrain(PointArray& force) {
     multiplier_ = -(direction_ * force).sum() / norm_squared_;
     force += multiplier_ * direction_;
   }
@@ -28,7 +30,7 @@ class RotationHold {
   /// ẑ × R_i: the constraint keeps its sum of products with the displacements at zero.
   const PointArray& direction() const { return direction_; }
 
-  /// Torque of the constraint in the last apply(), counter-clockwise, in M c².
+  /// Torque of the constraint in the last constrain(), counter-clockwise, in M c².
   double torque() const { return multiplier_ * norm_squared_; }
 
  private:

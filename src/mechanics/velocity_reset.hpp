@@ -4,15 +4,18 @@
 #include <utility>
 #include <vector>
 
-#include "lattice/lattice.hpp"
+#include "mechanics/force_term.hpp"
 
 namespace impact {
 
 /// The energy-absorbing boundary of §5 of the paper: the velocities of the boundary's points are
 /// set to zero at fixed intervals of time. The paper does so at every step of its integrator; then
 /// the answer depends on the step, and as the step goes to zero the boundary becomes a clamp.
-class VelocityReset {
+class VelocityReset : public ForceTerm {
  public:
+  static constexpr const char* kName = "velocity reset";
+  static constexpr bool kInLanes = true;
+
   /// `interval` in R/c, a multiple of the integrator's step.
   VelocityReset(std::vector<std::int32_t> points, double interval)
       : points_(std::move(points)), interval_(interval) {}

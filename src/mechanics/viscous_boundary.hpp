@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lattice/lattice.hpp"
+#include "mechanics/force_term.hpp"
 
 namespace impact {
 
@@ -13,8 +13,11 @@ namespace impact {
 /// J. Eng. Mech. Div. ASCE 95 (1969) 859): the force −ρ c_L v across the boundary and −ρ c_T v
 /// along it, per length of boundary. A plane wave that meets the boundary head-on is not reflected.
 /// There is no restoring force, so a push leaves a slow drift.
-class ViscousBoundary {
+class ViscousBoundary : public ForceTerm {
  public:
+  static constexpr const char* kName = "viscous boundary";
+  static constexpr bool kIsDamping = true;
+
   struct Dashpot {
     std::int32_t point;          ///< row
     Eigen::Array2d coefficient;  ///< along x and y, M c/R
@@ -22,12 +25,17 @@ class ViscousBoundary {
 
   explicit ViscousBoundary(std::vector<Dashpot> dashpots) : dashpots_(std::move(dashpots)) {}
 
-  /// Adds the forces (M c²/R). Returns the power that is absorbed (M c³/R).
-  double add_forces(const PointArray& velocity, PointArray& force) const {
+  /// The power that it takes away is absorbed.
+  Losses add_damping_forces(const PointArray& velocity, PointArray& force) const {
     for (const Dashpot& dashpot : dashpots_) {
       force.row(dashpot.point) -= dashpot.coefficient.transpose() * velocity.row(dashpot.point);
     }
-    return power(velocity);
+    return {0.0, power(velocity)};
+  }
+  void add_damping(int axis, MatrixEntries& entries) const {
+    for (const Dashpot& dashpot : dashpots_) {
+      entries.emplace_back(dashpot.point, dashpot.point, dashpot.coefficient(axis));
+    }
   }
 
   /// The power that would be absorbed at these velocities (M c³/R).

@@ -8,7 +8,7 @@ namespace {
 TEST(CompressionLoad, SpreadsEvenly) {
   const CompressionLoad load(0.4);
   PointArray force = PointArray::Zero(8, 2);
-  load.add_forces(force);
+  load.add_forces(PointArray::Zero(8, 2), force);
   EXPECT_TRUE((force.col(0) == 0.0).all());
   EXPECT_TRUE((force.col(1) == -0.05).all());
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "mechanics/force_field.hpp"
 #include "test_lattices.hpp"
 
 namespace impact {
@@ -19,7 +20,7 @@ TEST(EnergyLedger, SplitsTheKineticEnergy) {
   const double outward = std::sqrt(3.0);  // of the unit arm 1/√3
   state.velocity.col(0) = 3.0 - 2.0 * arm.col(1) + outward * arm.col(0);
   state.velocity.col(1) = 4.0 + 2.0 * arm.col(0) + outward * arm.col(1);
-  const EnergyLedger ledger = energy_ledger(field, state, {0.125, 0.0});
+  const EnergyLedger ledger = field.ledger(state, {0.125, 0.0});
   EXPECT_NEAR(ledger.kinetic_translation, 12.5, 1e-13);
   EXPECT_NEAR(ledger.kinetic_rotation, 0.5 * 4.0 / 3.0, 1e-13);
   EXPECT_NEAR(ledger.kinetic_internal, 0.5, 1e-13);
@@ -33,13 +34,13 @@ TEST(EnergyLedger, CountsOnlyTheTermsThereAre) {
   state.position = triangle().points;
   state.position.col(0) *= 1.01;
   state.velocity = PointArray::Zero(3, 2);
-  const EnergyLedger bare = energy_ledger(field, state, {});
+  const EnergyLedger bare = field.ledger(state, {});
   EXPECT_GT(bare.bonds, 0.0);
   EXPECT_EQ(bare.wall, 0.0);
   EXPECT_EQ(bare.load, 0.0);
   field.wall.emplace(10.0, 0.1);
   field.load.emplace(0.3);
-  const EnergyLedger full = energy_ledger(field, state, {});
+  const EnergyLedger full = field.ledger(state, {});
   EXPECT_EQ(full.wall, field.wall->potential_energy(state.position));
   EXPECT_EQ(full.load, field.load->potential_energy(state.position));
 }
@@ -60,7 +61,7 @@ TEST(EnergyLedger, KeepsTheWallApartFromTheDisk) {
   state.velocity = PointArray::Zero(6, 2);
   state.velocity.topRows(3).col(0) = 2.0;
   state.velocity(5, 1) = 3.0;
-  const EnergyLedger ledger = energy_ledger(field, state, {0.0, 0.25});
+  const EnergyLedger ledger = field.ledger(state, {0.0, 0.25});
   EXPECT_DOUBLE_EQ(ledger.kinetic(), 2.0);
   const double bonds = field.bonds.potential_energy(state.position);
   const double of_wall = field.bonds.potential_energy(state.position, 3, 6);

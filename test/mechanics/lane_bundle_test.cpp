@@ -5,6 +5,7 @@
 #include <array>
 #include <deque>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "every_kernel.hpp"
@@ -231,7 +232,13 @@ TEST(LaneBundle, ABlowUpDoesNotSpread) {
 TEST(LaneField, KnowsTheTermsOfAnImpactOnThePotentialWall) {
   ForceField field = field_of({0.02});
   EXPECT_TRUE(LaneField::knows(field));
+  LaneField lanes(disk(), kPointMass, LaneField::kind_of(field));
+  EXPECT_NO_THROW(lanes.set_lane(0, field));
   field.load.emplace(1.0);
+  EXPECT_FALSE(LaneField::knows(field));
+  EXPECT_THROW(lanes.set_lane(0, field), std::logic_error);
+  field.load.reset();
+  field.supports.emplace(std::vector<std::int32_t>{0}, std::vector<std::int32_t>{});
   EXPECT_FALSE(LaneField::knows(field));
 }
 

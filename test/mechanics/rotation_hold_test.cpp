@@ -22,7 +22,7 @@ TEST(RotationHold, LeavesNoTorqueAndNoResultant) {
   PointArray force = random_forces(16);
   const PointArray before = force;
   RotationHold hold(reference);
-  hold.apply(force);
+  hold.constrain(force);
 
   const auto torque = [&](const PointArray& f) {
     return (arm.col(0) * f.col(1) - arm.col(1) * f.col(0)).sum();
@@ -38,7 +38,7 @@ TEST(RotationHold, LeavesNoTorqueAndNoResultant) {
 TEST(RotationHold, AllowedDisplacementsDoNotRotate) {
   const PointArray reference = triangular_patch(4).points;
   PointArray displacement = random_forces(16);
-  RotationHold(reference).apply(displacement);
+  RotationHold(reference).constrain(displacement);
   EXPECT_NEAR(rigid_rotation(reference, reference + displacement), 0.0, 1e-14);
 }
 

@@ -12,7 +12,7 @@ TEST(Supports, TakeAwayTheForceOnWhatIsHeld) {
   const Supports supports({0, 2}, {2});
   PointArray force(3, 2);
   force << 1, 2, 3, 4, 5, 6;
-  supports.apply(force);
+  supports.constrain(force);
   PointArray expected(3, 2);
   expected << 0, 2, 3, 4, 0, 0;
   EXPECT_TRUE((force == expected).all());

@@ -15,7 +15,7 @@ TEST(ViscousBoundary, DragsEachComponentByItsCoefficient) {
   PointArray velocity(3, 2);
   velocity << 2, 0, 1, 1, -1, 0.1;
   PointArray force = PointArray::Ones(3, 2);
-  const double power = boundary.add_forces(velocity, force);
+  const double power = boundary.add_damping_forces(velocity, force).absorbed;
   PointArray expected(3, 2);
   expected << 0, 1, 1, 1, 4, 0.5;
   EXPECT_TRUE((force == expected).all());

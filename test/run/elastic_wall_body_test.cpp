@@ -100,7 +100,7 @@ TEST(ViscousBoundary, CoversTheSides) {
   const double across = std::sqrt(density * 1.2990381056766580 * 2.0);
   const double along = std::sqrt(density * 0.4330127018922193 * 2.0);
   PointArray force = PointArray::Zero(1269, 2);
-  boundary.add_forces(PointArray::Ones(1269, 2), force);
+  boundary.add_damping_forces(PointArray::Ones(1269, 2), force);
   // Two sides of length h and one of length w.
   EXPECT_NEAR(force.col(0).sum(), -(2.0 * h * across + w * along), 1e-12);
   EXPECT_NEAR(force.col(1).sum(), -(2.0 * h * along + w * across), 1e-12);
