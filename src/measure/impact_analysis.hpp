@@ -12,10 +12,13 @@ namespace impact {
 /// What an impact did to the disk; NaN for what is not known yet.
 struct Restitution {
   static constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  double velocity_before = kNaN;            ///< of the centre of mass along y, c
-  double velocity_after = kNaN;             ///< of the centre of mass along y, c
-  double restitution = kNaN;                ///< e = −velocity_after/velocity_before
-  double tangential_velocity_after = kNaN;  ///< of the centre of mass along x, c
+  double velocity_before = kNaN;             ///< of the centre of mass along y, c
+  double tangential_velocity_before = kNaN;  ///< of the centre of mass along x, c
+  double spin_before = kNaN;                 ///< as spin_after, c/R
+  double moment_of_inertia = kNaN;           ///< about the centre of mass, at the start, M R²
+  double velocity_after = kNaN;              ///< of the centre of mass along y, c
+  double restitution = kNaN;                 ///< e = −velocity_after/velocity_before
+  double tangential_velocity_after = kNaN;   ///< of the centre of mass along x, c
   /// Counter-clockwise, c/R: the angular momentum over the moment of inertia at the start, so that
   /// the disk's vibrations do not show.
   double spin_after = kNaN;
@@ -27,6 +30,16 @@ struct Restitution {
   double contact_duration = kNaN;  ///< R/c
   double peak_force = kNaN;        ///< M c²/R
   double impulse = kNaN;           ///< of the wall along y, M c
+  /// β = −g′/g, g = v_x + ω R the velocity along the wall of the disk's surface above the wall: −1
+  /// where it slides on, 1 where it turns back. NaN where g was zero.
+  double tangential_restitution = kNaN;
+  /// The change of the momentum along x over that along y: what friction would have as its
+  /// coefficient.
+  double impulse_ratio = kNaN;
+  /// The parts of E′/E, E as in energy_restitution: of the motion along y, along x and of the spin.
+  double normal_energy = kNaN;
+  double tangential_energy = kNaN;
+  double rotation_energy = kNaN;
 };
 
 /// Takes the states and contact reports of one run, each in the order of time, and says what the

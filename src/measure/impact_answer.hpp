@@ -2,6 +2,7 @@
 
 #include <array>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "measure/impact_analysis.hpp"
@@ -13,15 +14,26 @@ namespace impact {
 template <class Numbers>
 constexpr auto impact_numbers() {
   using Number = std::pair<const char*, double Numbers::*>;
-  return std::array<Number, 9>{{{"restitution", &Numbers::restitution},
-                                {"tangential_velocity_after", &Numbers::tangential_velocity_after},
-                                {"spin_after", &Numbers::spin_after},
-                                {"energy_restitution", &Numbers::energy_restitution},
-                                {"contact_begin", &Numbers::contact_begin},
-                                {"contact_end", &Numbers::contact_end},
-                                {"contact_duration", &Numbers::contact_duration},
-                                {"peak_force", &Numbers::peak_force},
-                                {"impulse", &Numbers::impulse}}};
+  return std::array<Number, 14>{{{"restitution", &Numbers::restitution},
+                                 {"tangential_velocity_after", &Numbers::tangential_velocity_after},
+                                 {"spin_after", &Numbers::spin_after},
+                                 {"energy_restitution", &Numbers::energy_restitution},
+                                 {"contact_begin", &Numbers::contact_begin},
+                                 {"contact_end", &Numbers::contact_end},
+                                 {"contact_duration", &Numbers::contact_duration},
+                                 {"peak_force", &Numbers::peak_force},
+                                 {"impulse", &Numbers::impulse},
+                                 {"tangential_restitution", &Numbers::tangential_restitution},
+                                 {"impulse_ratio", &Numbers::impulse_ratio},
+                                 {"normal_energy", &Numbers::normal_energy},
+                                 {"tangential_energy", &Numbers::tangential_energy},
+                                 {"rotation_energy", &Numbers::rotation_energy}}};
+}
+
+/// Whether this number of an impact says something new only where the disk slides along the wall.
+inline bool is_of_sliding(const std::string& name) {
+  return name == "tangential_restitution" || name == "impulse_ratio" || name == "normal_energy" ||
+         name == "tangential_energy" || name == "rotation_energy";
 }
 
 /// What an impact did to the disk, as all its runs together say.

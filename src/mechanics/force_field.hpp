@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mechanics/bond_forces.hpp"
+#include "mechanics/centrifugal_force.hpp"
 #include "mechanics/compression_load.hpp"
 #include "mechanics/elastic_wall.hpp"
 #include "mechanics/energy_ledger.hpp"
@@ -42,6 +43,7 @@ struct ForceField {
   std::optional<PotentialWall> wall{};
   std::optional<ElasticWall> elastic_wall{};
   std::optional<CompressionLoad> load{};
+  std::optional<CentrifugalForce> centrifugal{};
   std::optional<ViscousBoundary> viscous_boundary{};
   std::optional<VelocityReset> velocity_reset{};
   std::optional<RotationHold> hold{};
@@ -50,8 +52,8 @@ struct ForceField {
   /// All terms but the bonds, in the order in which their forces are added.
   template <class Field>
   static auto every_term(Field& field) {
-    return std::tie(field.wall, field.elastic_wall, field.load, field.viscous_boundary,
-                    field.velocity_reset, field.hold, field.supports);
+    return std::tie(field.wall, field.elastic_wall, field.load, field.centrifugal,
+                    field.viscous_boundary, field.velocity_reset, field.hold, field.supports);
   }
   /// Calls use(term) for each term that the scene has.
   template <class Use>

@@ -124,6 +124,8 @@ lattice_impact::Strain to_message(const Strain& strain) {
 lattice_impact::Restitution to_message(const Restitution& restitution) {
   lattice_impact::Restitution message;
   message.velocity_before = restitution.velocity_before;
+  message.tangential_velocity_before = restitution.tangential_velocity_before;
+  message.spin_before = restitution.spin_before;
   message.velocity_after = restitution.velocity_after;
   copy_numbers(restitution, message);
   return message;

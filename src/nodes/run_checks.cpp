@@ -10,6 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "mechanics/body_motion.hpp"
+#include "nodes/conversions.hpp"
+
 namespace impact {
 namespace {
 
@@ -98,6 +101,7 @@ std::string RunChecks::fault_of(const lattice_impact::ParticleStates& states,
   std::string wrong = fault_of_samples(forces, sum, status.integrator != "newton");
   if (wrong.empty() && scene.kind == SceneKind::kCollision) {
     wrong = fault_of_momentum(velocity, sum, scene, status.step_size);
+    if (wrong.empty() && states_ == 0) wrong = fault_of_sliding(from_message(states), scene);
   }
   ++states_;
   last_step_ = states.step;
@@ -149,19 +153,34 @@ std::string RunChecks::fault_of_samples(const lattice_impact::ContactForces& for
 
 std::string RunChecks::fault_of_momentum(double velocity, const Trapezoid& sum, const Scene& scene,
                                          double step_size) const {
-  const double v = scene.impact.velocity;
+  const double v = scene.impact.normal_velocity();
   constexpr double kRounding = 1e-6;
   if (states_ == 0) {
     return differ(velocity, -v, kRounding * v)
                ? fmt::format("velocity {} c at the start, of the scene {}", velocity, -v)
                : std::string();
   }
-  const double way = scene.wall.a * v * step_size;
+  const double way = scene.wall.a * scene.impact.approach_velocity() * step_size;
   const double tolerance = kRounding * v + way * way * sum.size;
   const double change = velocity - last_velocity_;
   return differ(change, sum.impulse, tolerance)
              ? fmt::format("the momentum changes by {} M c, the impulse is {}", change, sum.impulse)
              : std::string();
+}
+
+std::string RunChecks::fault_of_sliding(const State& start, const Scene& scene) {
+  const BodyMotion motion = body_motion(start.position, start.velocity);
+  const double kRounding = 1e-6 * (scene.impact.velocity + std::abs(scene.impact.spin));
+  const double tangential = scene.impact.tangential_velocity();
+  if (differ(motion.velocity.x(), tangential, kRounding)) {
+    return fmt::format("velocity {} c along x at the start, of the scene {}", motion.velocity.x(),
+                       tangential);
+  }
+  if (differ(motion.spin(), scene.impact.spin, kRounding)) {
+    return fmt::format("spin {} c/R at the start, of the scene {}", motion.spin(),
+                       scene.impact.spin);
+  }
+  return {};
 }
 
 std::string RunChecks::fault_of(const RunStatus& status) {

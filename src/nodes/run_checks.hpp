@@ -45,6 +45,7 @@ class RunChecks {
   Trapezoid trapezoid(const lattice_impact::ContactForces& forces) const;
   std::string fault_of_samples(const lattice_impact::ContactForces& forces, const Trapezoid& sum,
                                bool every_step) const;
+  static std::string fault_of_sliding(const State& start, const Scene& scene);
   std::string fault_of_momentum(double velocity, const Trapezoid& sum, const Scene& scene,
                                 double step_size) const;
 

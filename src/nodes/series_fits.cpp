@@ -18,7 +18,7 @@ namespace {
 constexpr double kNaN = LawFit::kNaN;
 
 double abscissa(const Scene& scene) {
-  return scene.kind == SceneKind::kContact ? scene.load.p : scene.impact.velocity;
+  return scene.kind == SceneKind::kContact ? scene.load.p : scene.impact.normal_velocity();
 }
 
 /// As YAML, the keys that must be equal for runs to be compared.
@@ -30,6 +30,14 @@ std::string shared_keys(const Scene& scene) {
   } else {
     keys["impact"].remove("velocity");
   }
+  return YAML::Dump(keys) + "\n";
+}
+
+/// The same for runs that are compared by their angle.
+std::string keys_shared_by_angles(const Scene& scene) {
+  YAML::Node keys = write_parameters(scene_parameters(), scene);
+  keys.remove("seed");
+  keys["impact"].remove("angle");
   return YAML::Dump(keys) + "\n";
 }
 
@@ -65,13 +73,24 @@ std::array<double, 2> paper_values(const Scene& scene) {
   return absorbs ? kPaperAbsorbingWall : std::array<double, 2>{kNaN, kNaN};
 }
 
+lattice_impact::LawFit means_by_angle(const std::map<double, std::vector<double>>& answers) {
+  LawFit law;
+  law.law = "restitution_by_angle";
+  law.points = mean_points(answers, 1.0);
+  law.fit.declined = "means only";
+  lattice_impact::LawFit message = to_message(law);
+  message.young_modulus = message.poisson_ratio = message.sound_speed = kNaN;
+  message.dissipation_time = kNaN;
+  return message;
+}
+
 double mean(const std::vector<double>& values) { return mean_point(0.0, values).y; }
 
 }  // namespace
 
 void SeriesFits::add(const ClosedRun& run) {
   const std::string key = shared_keys(run.scene);
-  Group& changed = group_of(run.scene, key);
+  Group& changed = group_of(groups_, run.scene, key);
   const bool fitted = can_be_fitted(run);
   if (fitted) {
     changed.answers[abscissa(run.scene)].push_back(run.answer);
@@ -82,19 +101,36 @@ void SeriesFits::add(const ClosedRun& run) {
     const bool gained_undamped_pair =
         fitted && group.undamped == key && group.answers.count(abscissa(run.scene)) > 0;
     if (&group != &changed && !gained_undamped_pair) continue;
-    lattice_impact::LawFit message = fit(group);
-    message.header = run.header;
-    message.run = run.number;
-    message.scene = shared;
-    message.left_out = group.left_out;
-    output_(message);
+    output(fit(group), run, shared, group);
   }
+  if (run.scene.kind == SceneKind::kCollision) add_by_angle(run);
 }
 
-SeriesFits::Group& SeriesFits::group_of(const Scene& scene, const std::string& shared_keys) {
-  const auto found = groups_.find(shared_keys);
-  if (found != groups_.end()) return found->second;
-  return groups_.emplace(shared_keys, Group{scene, shared_keys_without_damping(scene)})
+void SeriesFits::add_by_angle(const ClosedRun& run) {
+  const std::string key = keys_shared_by_angles(run.scene);
+  Group& group = group_of(by_angle_, run.scene, key);
+  if (can_be_fitted(run)) {
+    group.answers[run.scene.impact.angle].push_back(run.answer);
+  } else {
+    ++group.left_out;
+  }
+  if (group.answers.size() > 1) output(means_by_angle(group.answers), run, key, group);
+}
+
+void SeriesFits::output(lattice_impact::LawFit message, const ClosedRun& run,
+                        const std::string& shared, const Group& group) const {
+  message.header = run.header;
+  message.run = run.number;
+  message.scene = shared;
+  message.left_out = group.left_out;
+  output_(message);
+}
+
+SeriesFits::Group& SeriesFits::group_of(std::map<std::string, Group>& groups, const Scene& scene,
+                                        const std::string& shared_keys) {
+  const auto found = groups.find(shared_keys);
+  if (found != groups.end()) return found->second;
+  return groups.emplace(shared_keys, Group{scene, shared_keys_without_damping(scene)})
       .first->second;
 }
 

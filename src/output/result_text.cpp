@@ -36,7 +36,12 @@ const std::vector<Entry>& found(SceneKind kind) {
         {"contact_duration", "contact", "R/c"},
         {"peak_force", "peak force", "M c²/R"},
         {"spin_after", "spin after", "c/R"},
-        {"tangential_velocity_after", "drift after", "c"}}},
+        {"tangential_velocity_after", "drift after", "c"},
+        {"tangential_restitution", "tangential β", ""},
+        {"impulse_ratio", "impulse ratio", ""},
+        {"normal_energy", "E′ along y / E", ""},
+        {"tangential_energy", "E′ along x / E", ""},
+        {"rotation_energy", "E′ of spin / E", ""}}},
       {SceneKind::kContact,
        {{"strain", "strain ξ", "R"},
         {"wall_force", "wall force", "M c²/R"},
@@ -211,7 +216,10 @@ std::string title(const Scene& scene) {
   if (scene.kind == SceneKind::kContact) {
     return fmt::format("contact under P = {:g} M c²/R, {}", scene.load.p, disk);
   }
-  return fmt::format("collision at {:g} c{}, {}", scene.impact.velocity,
+  std::string throw_text = fmt::format("{:g} c", scene.impact.velocity);
+  if (scene.impact.angle != 0.0) throw_text += fmt::format(" and {:g}°", scene.impact.angle);
+  if (scene.impact.spin != 0.0) throw_text += fmt::format(", spin {:g} c/R", scene.impact.spin);
+  return fmt::format("collision at {}{}, {}", throw_text,
                      scene.wall.kind == WallKind::kLattice ? " with an elastic wall" : "", disk);
 }
 

@@ -1,16 +1,17 @@
 #include "output/table.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
 
+#include "output/csv.hpp"
+
 namespace impact {
 
 Table::Table(std::vector<std::string> columns)
-    : columns_(columns.size()), text_(fmt::format("{}\n", fmt::join(columns, ","))) {}
+    : columns_(columns.size()), text_(csv_line(columns) + "\n") {}
 
 Table& Table::operator<<(double value) {
   return *this << (std::isnan(value) ? std::string("nan") : fmt::format("{}", value));
@@ -18,7 +19,7 @@ Table& Table::operator<<(double value) {
 
 Table& Table::operator<<(const std::string& text) {
   ++cells_;
-  text_ += text;
+  text_ += csv_cell(text);
   text_ += cells_ % columns_ == 0 ? '\n' : ',';
   return *this;
 }

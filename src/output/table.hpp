@@ -6,7 +6,7 @@
 
 namespace impact {
 
-/// A table of results, to be written as CSV. Texts must be free of commas, quotes and line breaks.
+/// A table of results, to be written as CSV.
 class Table {
  public:
   explicit Table(std::vector<std::string> columns);

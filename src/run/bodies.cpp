@@ -37,7 +37,23 @@ Lattice scaled(Lattice lattice, FileScale scale) {
   return lattice;
 }
 
-FileLattice disk_lattice(const Scene& scene) {
+/// Turned so that the point farthest from the centre of mass is straight below it, and so the
+/// lowest.
+Lattice balanced(Lattice lattice) {
+  const Eigen::Array2d centre = lattice.points.colwise().mean();
+  Eigen::Index farthest = 0;
+  (lattice.points.rowwise() - centre.transpose()).square().rowwise().sum().maxCoeff(&farthest);
+  const Eigen::Array2d arm = lattice.points.row(farthest).transpose() - centre;
+  const double length = std::hypot(arm.x(), arm.y());
+  const double cosine = -arm.y() / length;  // of the angle that brings the arm to −y
+  const double sine = -arm.x() / length;
+  PointArray turned(lattice.points.rows(), 2);
+  turned.col(0) = cosine * lattice.points.col(0) - sine * lattice.points.col(1);
+  turned.col(1) = sine * lattice.points.col(0) + cosine * lattice.points.col(1);
+  return make_lattice(std::move(turned), std::move(lattice.bonds));
+}
+
+FileLattice disk_as_placed(const Scene& scene) {
   if (scene.disk.file.empty()) {
     return {triangulated_lattice(place_in_disk(scene.disk.recipe, scene.seed)), {}};
   }
@@ -48,6 +64,14 @@ FileLattice disk_lattice(const Scene& scene) {
   } catch (const InputError& error) {
     throw InputError(fmt::format("disk.file: {}", error.what()));
   }
+}
+
+FileLattice disk_lattice(const Scene& scene) {
+  FileLattice disk = disk_as_placed(scene);
+  if (scene.disk.orientation == Orientation::kBalanced) {
+    disk.lattice = balanced(std::move(disk.lattice));
+  }
+  return disk;
 }
 
 /// The rectangle of a stretch scene, with the disk's number density.
@@ -108,9 +132,10 @@ std::shared_ptr<const Bodies> make_bodies(const Scene& scene) {
 
 std::string key_of_bodies(const Scene& scene) {
   const PlacementRecipe& recipe = scene.disk.recipe;
-  std::string key = fmt::format("{} {} {} {} {} {}", scene.seed, recipe.points,
-                                static_cast<int>(recipe.placement), recipe.rim, scene.disk.file,
-                                static_cast<int>(scene.disk.scale));
+  std::string key =
+      fmt::format("{} {} {} {} {} {} {}", scene.seed, recipe.points,
+                  static_cast<int>(recipe.placement), recipe.rim, scene.disk.file,
+                  static_cast<int>(scene.disk.scale), static_cast<int>(scene.disk.orientation));
   if (scene.kind == SceneKind::kStretch) {
     key += fmt::format("\nstretch {} {}", scene.stretch.width, scene.stretch.height);
   }

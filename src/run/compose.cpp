@@ -11,6 +11,7 @@
 #include "run/elastic_wall_body.hpp"
 #include "run/expected_time.hpp"
 #include "run/forecast.hpp"
+#include "run/spinning_shape.hpp"
 
 namespace impact {
 namespace {
@@ -39,9 +40,16 @@ Composition compose_stretch(const Scene& scene, std::shared_ptr<const Bodies> bo
           kNoMotion,          0.0};
 }
 
+/// The disk at the start of an impact: as it is, or stretched by its steady spin.
+PointArray shape_at_start(const Scene& scene, const Bodies& bodies) {
+  const PointArray& reference = bodies.disk.points;
+  const double spin = scene.kind == SceneKind::kCollision ? scene.impact.spin : 0.0;
+  return spin == 0.0 ? reference : spinning_shape(scene, bodies);
+}
+
 /// The disk above the wall, which is at rest with its surface at y = 0.
 State initial_state(const Scene& scene, const Bodies& bodies, const PotentialWall& wall) {
-  const PointArray& reference = bodies.disk.points;
+  const PointArray reference = shape_at_start(scene, bodies);
   const Eigen::Index points = reference.rows();
   const Eigen::Index wall_points = bodies.wall ? bodies.wall->lattice.points.rows() : 0;
   State state;
@@ -54,7 +62,11 @@ State initial_state(const Scene& scene, const Bodies& bodies, const PotentialWal
     lowest = wall.gap_of_force(scene.load.p);
   } else {
     lowest = gap_at_start(scene, wall.height_of_energy(reference, negligible_wall_energy(scene)));
-    state.velocity.col(1).head(points) = -scene.impact.velocity;
+    const Eigen::Array2d centre = reference.colwise().mean();
+    state.velocity.col(0).head(points) =
+        scene.impact.tangential_velocity() - scene.impact.spin * (reference.col(1) - centre.y());
+    state.velocity.col(1).head(points) =
+        -scene.impact.normal_velocity() + scene.impact.spin * (reference.col(0) - centre.x());
   }
   state.position.col(1).head(points) += lowest - reference.col(1).minCoeff();
   return state;

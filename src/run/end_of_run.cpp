@@ -17,7 +17,7 @@ constexpr double kLeastVelocity = 1e-3;  // of that before
 }  // namespace
 
 SeparationEnd::SeparationEnd(const Scene& scene, const Composition& composition)
-    : velocity_before_(scene.impact.velocity),
+    : velocity_before_(scene.impact.normal_velocity()),
       negligible_fraction_(negligible_fraction(scene)),
       flight_(scene, composition.bodies) {}
 

@@ -44,9 +44,12 @@ Restitution after_the_tail(const Run& run, Restitution measured) {
   measured.velocity_after += gain;
   measured.restitution = -measured.velocity_after / measured.velocity_before;
   measured.impulse += gain;
-  const double squared_speed = measured.velocity_before * measured.velocity_before;
-  measured.energy_restitution = std::sqrt(
-      measured.energy_restitution * measured.energy_restitution + 2.0 * energy / squared_speed);
+  const double before = measured.velocity_before * measured.velocity_before +
+                        measured.tangential_velocity_before * measured.tangential_velocity_before +
+                        measured.moment_of_inertia * measured.spin_before * measured.spin_before;
+  measured.normal_energy += 2.0 * energy / before;
+  measured.energy_restitution =
+      std::sqrt(measured.energy_restitution * measured.energy_restitution + 2.0 * energy / before);
   return measured;
 }
 
@@ -191,7 +194,7 @@ double ErrorControl::rounding(const FinishedImpact& run) const {
 
 /// How far the disk comes in a step (R/c), in ranges 1/a of the wall.
 double ErrorControl::way_in(double step) const {
-  return scene_.wall.a * scene_.impact.velocity * step;
+  return scene_.wall.a * scene_.impact.approach_velocity() * step;
 }
 
 /// The order that the latest runs may show.
@@ -225,6 +228,12 @@ void ErrorControl::conclude(double noise) {
   answer_.error.velocity_after = answer_.error.restitution * std::abs(finest.velocity_before);
   answer_.error_of_run = std::abs(finest.restitution - e) + answer_.error.restitution;
   estimated_error_ = answer_.error.restitution / std::abs(e);
+  if (!scene_.impact.slides()) return;
+  if (std::isfinite(answer_.value.tangential_restitution)) {
+    estimated_error_ = std::max(estimated_error_, answer_.error.tangential_restitution);
+  }
+  const double surface_speed = scene_.impact.velocity + std::abs(scene_.impact.spin);
+  estimated_error_ = std::max(estimated_error_, answer_.error.spin_after / surface_speed);
 }
 
 bool ErrorControl::is_extrapolated() const {

@@ -45,6 +45,9 @@ struct FinishedImpact {
 ///   runs are compared,
 /// - for an adaptive integrator, the tolerance of which stands for the square of a step.
 ///
+/// An impact that is oblique or spins is good when e is, the tangential restitution β to within
+/// numerics.error, and the spin to within that part of the disk's speed and its spin at the start.
+///
 /// What the wall still holds at the end of a run is counted as velocity. Three things are added to
 /// the error:
 /// - what the wall does before the start and after the end of a run, Run::tail_error(),
@@ -97,7 +100,7 @@ class ErrorControl {
   /// Of a collision, once accepted; before, NaN.
   const ImpactAnswer& answer() const { return answer_; }
 
-  /// Relative, of e or ξ; NaN: not known.
+  /// Relative, of e or ξ, or that of β or of the spin where it is greater; NaN: not known.
   double estimated_error() const { return estimated_error_; }
 
  private:

@@ -28,7 +28,7 @@ double relaxation_time(const Scene& scene, Eigen::Index points) {
 
 double impact_time(const Scene& scene, double gap) {
   const double sound_speed = estimated_sound_speed(scene.material.k_a);
-  const double v = scene.impact.velocity;
+  const double v = scene.impact.normal_velocity();
   const double contact =
       M_PI / sound_speed * std::sqrt(std::max(1.0, std::log(4.0 * sound_speed / v)));
   return 2.0 * std::max(0.0, gap) / v + contact;
@@ -45,7 +45,8 @@ PotentialWall repulsion(const Scene& scene, Eigen::Index points) {
 }
 
 double negligible_wall_energy(const Scene& scene) {
-  return negligible_fraction(scene) * 0.5 * scene.impact.velocity * scene.impact.velocity;
+  const double v = scene.impact.normal_velocity();
+  return negligible_fraction(scene) * 0.5 * v * v;
 }
 
 double negligible_fraction(const Scene& scene) { return 0.01 * scene.numerics.error; }
@@ -57,13 +58,13 @@ bool has_resets(const Scene& scene) {
 
 double on_whole_resets(const Scene& scene, double height) {
   if (!has_resets(scene)) return height;
-  const double way = scene.impact.velocity * scene.wall.reset_interval;
+  const double way = scene.impact.normal_velocity() * scene.wall.reset_interval;
   return way * std::ceil(height / way);
 }
 
 double gap_at_start(const Scene& scene, double negligible_height) {
   if (scene.impact.gap) return *scene.impact.gap;
-  return on_whole_resets(scene, negligible_height + kApproach * scene.impact.velocity);
+  return on_whole_resets(scene, negligible_height + kApproach * scene.impact.normal_velocity());
 }
 
 double expected_time(const Scene& scene, Eigen::Index points, double gap) {

@@ -16,7 +16,7 @@ double estimated_sound_speed(double k_a);
 PotentialWall repulsion(const Scene& scene, Eigen::Index points);
 
 /// The energy of the potential wall that counts as none: numerics.error/100 of the kinetic energy
-/// at the start. In M c².
+/// along y at the start. In M c².
 double negligible_wall_energy(const Scene& scene);
 
 /// The fraction of a kinetic energy that counts as none: numerics.error/100.

@@ -69,7 +69,8 @@ struct Work {
 /// rings.
 double rate_of_wall_force(const Scene& scene) {
   if (scene.kind == SceneKind::kContact) return std::sqrt(scene.wall.a * scene.load.p);
-  return scene.wall.a * scene.impact.velocity + estimated_sound_speed(scene.material.k_a);
+  return scene.wall.a * scene.impact.approach_velocity() +
+         estimated_sound_speed(scene.material.k_a);
 }
 
 Work work_of_run(const Scene& scene, const Rates& rates, double time) {

@@ -56,7 +56,8 @@ constexpr double kBothEndsMove = 2.0;
 /// With the wall as stiff as Simulation forecasts it at the start of a step.
 double longest_step(const Scene& scene, IntegratorKind integrator, const Rates& rates) {
   constexpr int kHalvings = 30;
-  const double approach = scene.kind == SceneKind::kCollision ? scene.impact.velocity : 0.0;
+  const double approach =
+      scene.kind == SceneKind::kCollision ? scene.impact.approach_velocity() : 0.0;
   const auto is_stable = [&](double step) {
     const double wall =
         Simulation::kWallMargin * rates.wall * std::exp(scene.wall.a * approach * step);
@@ -75,7 +76,7 @@ double longest_step(const Scene& scene, IntegratorKind integrator, const Rates& 
 double expected_step(const Scene& scene, IntegratorKind integrator, const Rates& rates) {
   const double longest = longest_step(scene, integrator, rates);
   if (scene.kind != SceneKind::kCollision) return round_step_down(longest, kUnit);
-  const double wall_rate = scene.wall.a * scene.impact.velocity;
+  const double wall_rate = scene.wall.a * scene.impact.approach_velocity();
   const double wanted = 0.5 * scene.numerics.error;
   double way = 0.0;
   if (order_of(integrator) == 2) {
@@ -123,7 +124,8 @@ double given_step(const Scene& scene, IntegratorKind integrator, const Spectrum&
 /// Typical displacement and speed of a scene, by which tolerances are measured.
 Scales scales_of(const Scene& scene, double sound_speed) {
   if (scene.kind == SceneKind::kCollision) {
-    return {scene.impact.velocity / sound_speed, scene.impact.velocity};
+    const double v = scene.impact.normal_velocity();
+    return {v / sound_speed, v};
   }
   return {scene.load.p / scene.material.k_a, scene.load.p / std::sqrt(scene.material.k_a)};
 }
@@ -169,13 +171,13 @@ double cost_of_step(const Scene& scene, IntegratorKind integrator) {
 double largest_point_force(const Scene& scene, int points, double sound_speed) {
   double total = 2.0 * scene.load.p;
   if (scene.kind == SceneKind::kCollision) {
-    const double v = scene.impact.velocity;
+    const double v = scene.impact.normal_velocity();
     total = v * sound_speed / std::sqrt(std::max(1.0, std::log(4.0 * sound_speed / v)));
   }
   const double young_modulus = sound_speed * sound_speed / M_PI;
   const double stopping_one_point =
       scene.kind == SceneKind::kCollision
-          ? 0.5 * scene.wall.a * scene.impact.velocity * scene.impact.velocity / points
+          ? 0.5 * scene.wall.a * std::pow(scene.impact.normal_velocity(), 2) / points
           : 0.0;
   const double half_width = std::sqrt(4.0 * total / (M_PI * young_modulus));
   const double peak_pressure = 2.0 * total / (M_PI * half_width);

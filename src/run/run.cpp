@@ -20,7 +20,7 @@ constexpr double kManyHops = 0.01;  // of the impact's energy
 
 /// The force above which a point is listed as in contact: 10⁻⁶ of the load, or of M v c/R.
 double contact_force(const Scene& scene) {
-  return 1e-6 * (scene.kind == SceneKind::kContact ? scene.load.p : scene.impact.velocity);
+  return 1e-6 * (scene.kind == SceneKind::kContact ? scene.load.p : scene.impact.normal_velocity());
 }
 
 /// Whether a point that comes into reach of an elastic wall finds more than negligible energy
@@ -33,14 +33,14 @@ bool is_cut_off(const Scene& scene, const ForceField& field) {
 /// Whether contacts that passed from bond to bond, or over the edge of the wall, changed the energy
 /// of the impact by more than a little.
 bool hops_matter(const Scene& scene, const Motion& motion) {
-  const double impact_energy = 0.5 * scene.impact.velocity * scene.impact.velocity;
+  const double impact_energy = 0.5 * std::pow(scene.impact.normal_velocity(), 2);
   return motion.field().elastic_wall &&
          motion.field().elastic_wall->hops_size() > kManyHops * impact_energy;
 }
 
 /// Whether a part of the disk that the wall would push lies beside it.
 bool is_beside_wall(const Scene& scene, const Motion& motion) {
-  const double impact_energy = 0.5 * scene.impact.velocity * scene.impact.velocity;
+  const double impact_energy = 0.5 * std::pow(scene.impact.normal_velocity(), 2);
   return motion.field().elastic_wall &&
          motion.field().elastic_wall->energy_beside(motion.state().position) >
              scene.numerics.error * impact_energy;
@@ -73,10 +73,14 @@ Run::Run(const Scene& scene, std::shared_ptr<const Composition> composition,
       flags_(composition_->bodies->flags),
       integrator_(resolution.integrator) {
   if (scene.kind != SceneKind::kCollision) return;
-  const double v = scene.impact.velocity;
-  wall_energy_before_ = motion_->ledger().wall;
-  const double relative_energy = 2.0 * wall_energy_before_ / (v * v);
-  restitution_bound_ = std::sqrt(1.0 + relative_energy);
+  const double v = scene.impact.normal_velocity();
+  const EnergyLedger ledger = motion_->ledger();
+  wall_energy_before_ = ledger.wall;
+  const double relative_energy = 2.0 * ledger.wall / (v * v);
+  const double other_motion = ledger.total() - ledger.wall - 0.5 * v * v;
+  restitution_bound_ = scene.impact.slides()
+                           ? std::sqrt(1.0 + relative_energy + 2.0 * other_motion / (v * v))
+                           : std::sqrt(1.0 + relative_energy);
   if (relative_energy > scene.numerics.error) flags_.emplace_back("starts_in_wall");
   if (is_cut_off(scene, motion_->field())) flags_.emplace_back("cut_off");
 }

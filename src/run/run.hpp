@@ -84,7 +84,8 @@ class Run {
   const std::vector<std::string>& flags() const { return flags_; }
   bool has_flag(const std::string& flag) const;
 
-  /// Largest e that energy allows: √(1 + 2U₀/(M v²)) with the wall's energy U₀ at the start.
+  /// Largest e that energy allows: √(1 + 2U₀/(M v²)) with the wall's energy U₀ at the start and v
+  /// the velocity along y; where the disk also slides or spins, U₀ counts that energy too.
   double restitution_bound() const { return restitution_bound_; }
 
   /// Relative error of e, at the end of a collision, for what the wall's potential holds at the

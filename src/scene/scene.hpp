@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -49,6 +50,12 @@ inline bool is_adaptive(IntegratorKind kind) {
   return kind == IntegratorKind::kBdf || kind == IntegratorKind::kRk8pd;
 }
 
+/// How a disk is turned before it meets the wall.
+enum class Orientation {
+  kRandom,   ///< as it was placed, or as its file has it
+  kBalanced  ///< with its centre of mass over the point that touches first
+};
+
 /// What the lengths of a disk's file are multiplied by: 1, or what makes its radius 1.
 enum class FileScale { kNone, kRadius };
 
@@ -62,6 +69,7 @@ struct Scene {
     PlacementRecipe recipe;
     std::string file;  ///< a LAMMPS data file that replaces the recipe; empty: none
     FileScale scale = FileScale::kNone;  ///< of the file's lengths
+    Orientation orientation = Orientation::kRandom;
   } disk;
 
   struct Material {
@@ -91,7 +99,17 @@ struct Scene {
 
   struct Impact {
     double velocity = 0.01;
+    double angle = 0.0;         ///< degrees, of the velocity from the wall's normal, towards +x
+    double spin = 0.0;          ///< c/R, counter-clockwise
     std::optional<double> gap;  ///< empty: as near as `error` allows
+
+    double normal_velocity() const { return velocity * std::cos(angle * M_PI / 180.0); }
+    double tangential_velocity() const { return velocity * std::sin(angle * M_PI / 180.0); }
+    /// Whether the surface of the disk moves along the wall.
+    bool slides() const { return angle != 0.0 || spin != 0.0; }
+    /// Roughly the greatest speed at which a point comes towards the wall where they touch, which
+    /// is within 0.2 R of the disk's lowest point.
+    double approach_velocity() const { return normal_velocity() + 0.2 * std::abs(spin); }
   } impact;
 
   struct Stretch {

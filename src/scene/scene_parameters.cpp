@@ -17,6 +17,9 @@ constexpr double kLeastStrain = 1e-6;
 /// c. Rounding of positions then changes the energy by less than 10⁻² of the impact's.
 constexpr double kLeastVelocity = 1e-9;
 
+/// Degrees. Beyond it the disk flies along the wall rather than against it.
+constexpr double kSteepestAngle = 85.0;
+
 using Condition = std::function<bool(const Scene&)>;
 
 P only(const Condition& condition, P parameter) {
@@ -72,7 +75,13 @@ Table disk_keys() {
            choice<Scene, FileScale>(
                "disk.scale", {{"none", FileScale::kNone}, {"radius", FileScale::kRadius}},
                "of the lengths in disk.file: none, for a radius of 0.8 … 1.2, or radius: made 1",
-               [](auto& s) -> auto& { return s.disk.scale; }))};
+               [](auto& s) -> auto& { return s.disk.scale; })),
+      only(is_moved, choice<Scene, Orientation>(
+                         "disk.orientation",
+                         {{"random", Orientation::kRandom}, {"balanced", Orientation::kBalanced}},
+                         "random, or turned so that the centre of mass lies over the point that "
+                         "touches first: then an impact gives the disk little spin",
+                         [](auto& s) -> auto& { return s.disk.orientation; }))};
 }
 
 Table material_keys() {
@@ -151,42 +160,54 @@ Table elastic_wall_keys() {
 }
 
 Table task_keys() {
-  return {only(in(SceneKind::kContact), real<Scene>(
-                                            "load.P", "M c²/R", {0.0, 1.0, false},
-                                            "contact: compression, spread evenly over the points",
-                                            [](auto& s) -> auto& { return s.load.p; })),
-          only(in(SceneKind::kContact),
-               flag<Scene>(
-                   "load.hold_rotation",
-                   "contact: hold the rigid rotation by a torque; false: it may roll",
-                   [](auto& s) -> auto& { return s.load.hold_rotation; })),
-          only(in(SceneKind::kCollision), real<Scene>(
-                                              "impact.velocity", "c", {kLeastVelocity, 1.0},
-                                              "collision: speed towards the wall at the start; "
-                                              "slower ones lose their energy in rounding",
-                                              [](auto& s) -> auto& { return s.impact.velocity; })),
-          only(in(SceneKind::kCollision),
-               real_or_auto<Scene>(
-                   "impact.gap", "R", {-1.0, 100.0},
-                   "collision: height of the lowest point at the start; "
-                   "auto: half an R/c before the wall's "
-                   "energy is error/100 of the kinetic energy, and a whole number of resets before "
-                   "height 0",
-                   [](auto& s) -> auto& { return s.impact.gap; })),
-          only(in(SceneKind::kStretch),
-               real<Scene>(
-                   "stretch.width", "R", {0.1, 1000.0}, "stretch: of the rectangle",
-                   [](auto& s) -> auto& { return s.stretch.width; })),
-          only(in(SceneKind::kStretch),
-               real<Scene>(
-                   "stretch.height", "R", {0.1, 1000.0}, "stretch: of the rectangle",
-                   [](auto& s) -> auto& { return s.stretch.height; })),
-          only(in(SceneKind::kStretch),
-               real<Scene>(
-                   "stretch.strain", "-", {-0.1, 0.1},
-                   "stretch: how much the grips draw its ends apart, over the width; at least "
-                   "1e-6 in size",
-                   [](auto& s) -> auto& { return s.stretch.strain; }))};
+  return {
+      only(in(SceneKind::kContact), real<Scene>(
+                                        "load.P", "M c²/R", {0.0, 1.0, false},
+                                        "contact: compression, spread evenly over the points",
+                                        [](auto& s) -> auto& { return s.load.p; })),
+      only(in(SceneKind::kContact),
+           flag<Scene>(
+               "load.hold_rotation",
+               "contact: hold the rigid rotation by a torque; false: it may roll",
+               [](auto& s) -> auto& { return s.load.hold_rotation; })),
+      only(in(SceneKind::kCollision), real<Scene>(
+                                          "impact.velocity", "c", {kLeastVelocity, 1.0},
+                                          "collision: speed of the centre of mass at the start; "
+                                          "slower ones lose their energy in rounding",
+                                          [](auto& s) -> auto& { return s.impact.velocity; })),
+      only(in(SceneKind::kCollision),
+           real<Scene>(
+               "impact.angle", "degrees", {-kSteepestAngle, kSteepestAngle},
+               "collision: of the velocity from the wall's normal, towards +x",
+               [](auto& s) -> auto& { return s.impact.angle; })),
+      only(in(SceneKind::kCollision),
+           real<Scene>(
+               "impact.spin", "c/R", {-1.0, 1.0},
+               "collision: of the disk at the start, counter-clockwise; it starts stretched as "
+               "a disk that spins steadily",
+               [](auto& s) -> auto& { return s.impact.spin; })),
+      only(in(SceneKind::kCollision),
+           real_or_auto<Scene>(
+               "impact.gap", "R", {-1.0, 100.0},
+               "collision: height of the lowest point at the start; "
+               "auto: half an R/c before the wall's "
+               "energy is error/100 of the kinetic energy, and a whole number of resets before "
+               "height 0",
+               [](auto& s) -> auto& { return s.impact.gap; })),
+      only(in(SceneKind::kStretch),
+           real<Scene>(
+               "stretch.width", "R", {0.1, 1000.0}, "stretch: of the rectangle",
+               [](auto& s) -> auto& { return s.stretch.width; })),
+      only(in(SceneKind::kStretch),
+           real<Scene>(
+               "stretch.height", "R", {0.1, 1000.0}, "stretch: of the rectangle",
+               [](auto& s) -> auto& { return s.stretch.height; })),
+      only(in(SceneKind::kStretch),
+           real<Scene>(
+               "stretch.strain", "-", {-0.1, 0.1},
+               "stretch: how much the grips draw its ends apart, over the width; at least "
+               "1e-6 in size",
+               [](auto& s) -> auto& { return s.stretch.strain; }))};
 }
 
 Table numerics_keys() {

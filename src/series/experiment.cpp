@@ -25,11 +25,16 @@ Quantity energy(std::string key, double EnergyLedger::*term) {
 std::vector<Quantity> impact_quantities(const Scene& scene) {
   std::vector<Quantity> list;
   list.push_back(number("velocity", [](const auto& e) { return e.scene().impact.velocity; }));
+  const auto has = [&scene](const char* key) {
+    return scene.impact.slides() || !is_of_sliding(key);
+  };
   for (const auto& [key, member] : impact_numbers<Restitution>()) {
+    if (!has(key)) continue;
     list.push_back(
         number(key, [member = member](const auto& e) { return e.impact().value.*member; }));
   }
   for (const auto& [key, member] : impact_numbers<Restitution>()) {
+    if (!has(key)) continue;
     list.push_back(number(std::string(key) + "_error",
                           [member = member](const auto& e) { return e.impact().error.*member; }));
   }

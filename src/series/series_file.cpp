@@ -1,6 +1,6 @@
 #include "series/series_file.hpp"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <boost/tokenizer.hpp>
@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "output/csv.hpp"
 #include "scene/scene_parameters.hpp"
 #include "series/experiment.hpp"
 
@@ -16,27 +17,6 @@ namespace impact {
 namespace {
 
 constexpr const char* kFailed = "failed: ";
-
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\\\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char letter : text) {
-    if (letter == '"' || letter == '\\') quoted += '\\';
-    quoted += letter == '\n' ? "\\n" : std::string(1, letter);
-  }
-  return quoted + "\"";
-}
-
-std::string csv_line(const std::vector<std::string>& texts) {
-  std::vector<std::string> quoted(texts.size());
-  std::transform(texts.begin(), texts.end(), quoted.begin(), cell);
-  return fmt::format("{}", fmt::join(quoted, ","));
-}
-
-std::vector<std::string> cells_of(const std::string& line) {
-  const boost::tokenizer<boost::escaped_list_separator<char>> tokens(line);
-  return {tokens.begin(), tokens.end()};
-}
 
 double number(const std::string& text) {
   double value = 0.0;
@@ -155,8 +135,8 @@ void SeriesFile::read_line(std::size_t line, const std::string& text) {
   }
   for (std::size_t i = 0; i < expected.size(); ++i) {
     if (cells[i] == expected[i]) continue;
-    throw misfit(line, fmt::format("{}: got {}, this series has {}", names[i], cell(cells[i]),
-                                   cell(expected[i])));
+    throw misfit(line, fmt::format("{}: got {}, this series has {}", names[i], csv_cell(cells[i]),
+                                   csv_cell(expected[i])));
   }
   if (line > 0) add_row(cells);
 }

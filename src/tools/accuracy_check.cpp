@@ -61,11 +61,6 @@ Checks check_all(std::uint64_t seed, int scenes, int jobs) {
   return checks;
 }
 
-std::string without_commas(std::string text) {
-  std::replace(text.begin(), text.end(), ',', ';');
-  return text;
-}
-
 /// The keys that are drawn; those that a scene does not have are left empty.
 const std::vector<std::string>& drawn_keys() {
   static const std::vector<std::string> keys{
@@ -97,10 +92,10 @@ Table table_of(const Checks& checks) {
     const AccuracyCheck& check = checks[number];
     table << static_cast<double>(number) << kind_of(check.scene);
     for (const std::string& key : drawn_keys()) table << value_of(key, check.scene);
-    table << without_commas(check.trial.status) << check.trial.integrator << check.trial.step
-          << check.trial.answer << check.reference.value << check.reference.method
-          << check.reference.error << check.trial.estimated_error << check.true_error()
-          << true_over_estimated(check) << name_of(verdict(check)) << check.trial.wall_time;
+    table << check.trial.status << check.trial.integrator << check.trial.step << check.trial.answer
+          << check.reference.value << check.reference.method << check.reference.error
+          << check.trial.estimated_error << check.true_error() << true_over_estimated(check)
+          << name_of(verdict(check)) << check.trial.wall_time;
   }
   return table;
 }

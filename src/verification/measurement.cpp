@@ -40,7 +40,7 @@ Outcome run_to_time(const Scene& scene, const Stop& stop) {
   if (run.motion().halvings() > 0) throw RunFailure("the wall is too stiff for this step");
   Outcome outcome;
   take_run(run, outcome);
-  outcome.answer = run.disk_state().velocity.col(1).mean() / scene.impact.velocity;
+  outcome.answer = run.disk_state().velocity.col(1).mean() / scene.impact.normal_velocity();
   return outcome;
 }
 

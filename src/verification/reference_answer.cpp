@@ -90,7 +90,7 @@ double restitution(const Scene& scene, const Composition& composition, double st
     }
   }
   const Eigen::Index disk = composition.bodies->disk.points.rows();
-  return simulation.state().velocity.col(1).head(disk).mean() / scene.impact.velocity;
+  return simulation.state().velocity.col(1).head(disk).mean() / scene.impact.normal_velocity();
 }
 
 /// The last of up to four values of rising precision, and how it differs from the one before.
@@ -122,7 +122,7 @@ ReferenceAnswer impact_reference(const Scene& scene) {
                          std::make_unique<ExtrapolatedDamping>());
     });
   }
-  const double v = scene.impact.velocity;
+  const double v = scene.impact.normal_velocity();
   const Scales scales{v / rates.sound_speed, v};
   // Below this tolerance rounding of the positions would pass for errors of a step.
   const double least_tolerance = 3e-14 / scales.length;

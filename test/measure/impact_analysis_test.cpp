@@ -46,11 +46,29 @@ TEST(ImpactAnalysis, ComparesTheMotionBeforeAndAfter) {
   EXPECT_DOUBLE_EQ(result.spin_after, -0.5);
   // 1.5² + 0.25² and, with the moment of inertia 2, 2·0.5², over 2².
   EXPECT_DOUBLE_EQ(result.energy_restitution, std::sqrt((2.25 + 0.0625 + 0.5) / 4.0));
+  EXPECT_TRUE(std::isnan(result.tangential_restitution));  // it did not slide
   EXPECT_EQ(result.peak_force, 2.0);
   EXPECT_DOUBLE_EQ(result.impulse, 2.0);
   // 2·10⁻³ is crossed one thousandth of the way up and down, linearly from and to zero.
   EXPECT_NEAR(result.contact_begin, 1.001, 1e-12);
   EXPECT_NEAR(result.contact_end, 2.999, 1e-12);
+}
+
+/// A square (k² = 2) that comes at (3, −2) with the spin 1, energy 9 + 4 + 2·1 = 15, and leaves at
+/// (1, 1) with the spin −0.5: the surface above the wall moved at 3 + 1 and then at 1 − 0.5.
+TEST(ImpactAnalysis, MeasuresAnObliqueImpact) {
+  ImpactAnalysis analysis;
+  analysis.add(square_with_velocity(3.0, -2.0, 1.0));
+  analysis.add(square_with_velocity(1.0, 1.0, -0.5));
+  const Restitution result = analysis.restitution(true);
+  EXPECT_DOUBLE_EQ(result.tangential_velocity_before, 3.0);
+  EXPECT_DOUBLE_EQ(result.spin_before, 1.0);
+  EXPECT_DOUBLE_EQ(result.tangential_restitution, -0.5 / 4.0);
+  EXPECT_DOUBLE_EQ(result.impulse_ratio, -2.0 / 3.0);
+  EXPECT_DOUBLE_EQ(result.normal_energy, 1.0 / 15.0);
+  EXPECT_DOUBLE_EQ(result.tangential_energy, 1.0 / 15.0);
+  EXPECT_DOUBLE_EQ(result.rotation_energy, 0.5 / 15.0);
+  EXPECT_DOUBLE_EQ(std::pow(result.energy_restitution, 2), 2.5 / 15.0);
 }
 
 TEST(ImpactAnalysis, DoesNotDependOnHowOftenItIsTold) {

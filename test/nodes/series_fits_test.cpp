@@ -51,6 +51,28 @@ std::vector<double> velocities() {
   return result;
 }
 
+TEST(SeriesFits, AveragesByAngle) {
+  Series series;
+  const auto thrown = [&](double angle, std::uint64_t seed, double e) {
+    Scene scene = collision(0.05, 0.0, seed);
+    scene.impact.angle = angle;
+    series.run(scene, e);
+  };
+  thrown(30.0, 1, 0.90);
+  EXPECT_EQ(series.said.size(), 1U);  // by velocity alone
+  thrown(0.0, 1, 0.94);
+  thrown(30.0, 2, 0.92);
+  const lattice_impact::LawFit& law = series.said.back();
+  EXPECT_EQ(law.law, "restitution_by_angle");
+  EXPECT_EQ(law.x, (std::vector<double>{0.0, 30.0}));
+  EXPECT_DOUBLE_EQ(law.y[1], 0.91);
+  EXPECT_NEAR(law.y_standard_error[1], 0.01, 1e-15);
+  EXPECT_EQ(law.runs, (std::vector<std::uint32_t>{1, 2}));
+  EXPECT_FALSE(YAML::Load(law.scene)["impact"]["angle"]);
+  series.run(collision(0.1, 0.0), 0.8);
+  EXPECT_EQ(series.said.back().law, "restitution");
+}
+
 /// 3.5 standard errors: with t statistics of 18 degrees of freedom 0.3 % of the seeds fail, and
 /// these do not.
 TEST(SeriesFits, RecoversTheRestitutionLaw) {

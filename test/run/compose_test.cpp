@@ -53,6 +53,21 @@ TEST(Compose, BuildsOnlyTheTermsOfAContact) {
   EXPECT_EQ(terms(scene), names);
 }
 
+/// Over the lowest point to rounding, in a lattice of the same bonds with the same lengths.
+TEST(Compose, BalancesTheDisk) {
+  Scene scene;
+  const Lattice random = make_bodies(scene)->disk;
+  scene.disk.orientation = Orientation::kBalanced;
+  const Lattice balanced = make_bodies(scene)->disk;
+  Eigen::Index lowest = 0;
+  balanced.points.col(1).minCoeff(&lowest);
+  EXPECT_NEAR(balanced.points(lowest, 0), balanced.points.col(0).mean(), 1e-14);
+  ASSERT_EQ(balanced.natural_lengths.size(), random.natural_lengths.size());
+  for (std::size_t k = 0; k < random.natural_lengths.size(); ++k) {
+    EXPECT_NEAR(balanced.natural_lengths[k], random.natural_lengths[k], 1e-14);
+  }
+}
+
 /// Nothing moves, so nothing is damped.
 TEST(Compose, BuildsNoDampingForAStaticContact) {
   Scene scene = contact_scene();

@@ -41,10 +41,10 @@ TEST(ParseScene, HasTheKeysOfItsKind) {
       "wall.points wall.width wall.height wall.threshold wall.gap_measure wall.boundary "
       "wall.reset_interval wall.file ";
   const std::string of_contact = "load.P load.hold_rotation ";
-  const std::string of_collision = "impact.velocity impact.gap ";
+  const std::string of_collision = "impact.velocity impact.angle impact.spin impact.gap ";
   const std::string of_stretch = "stretch.width stretch.height stretch.strain ";
   const std::string of_motion =
-      "disk.rim disk.file disk.scale material.eta wall.type wall.a wall.V0 ";
+      "disk.rim disk.file disk.scale disk.orientation material.eta wall.type wall.a wall.V0 ";
   EXPECT_EQ(missing_keys("{scene: collision}"), of_elastic_wall + of_contact + of_stretch);
   EXPECT_EQ(missing_keys("{scene: collision, wall: {type: lattice}}"), of_contact + of_stretch);
   EXPECT_EQ(missing_keys("{scene: contact, material: {eta: 1}}"),

@@ -142,10 +142,11 @@ TEST(Answer, IsBetterThanTheLastRun) {
   EXPECT_LE(std::abs(coarse.answer() - true_value), coarse.impact().error.restitution);
 }
 
-/// Every number of the impact is within its own error, on a soft and on a hard wall.
+/// Every number of an oblique impact is within its own error, on a soft and on a hard wall.
 TEST(Answer, HasAnErrorForEveryNumber) {
   for (const char* const a : {"wall.a=300", "wall.a=3000"}) {
-    const std::vector<std::string> keys{"disk.points=100", "impact.velocity=0.05", a};
+    const std::vector<std::string> keys{"disk.points=100", "impact.velocity=0.05",
+                                        "impact.angle=20", "impact.spin=0.01", a};
     const ImpactAnswer coarse = performed(scene_of("collision", keys)).impact();
     std::vector<std::string> finer = keys;
     finer.emplace_back("numerics.integrator=verlet");
