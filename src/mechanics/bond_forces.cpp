@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "kernels/in_parts.hpp"
 
@@ -19,7 +20,7 @@ BondForces::BondForces(const Lattice& lattice, const BondLaw& law, const Kernels
       kernels_(&kernels),
       table_(table_of(lattice)),
       position_pairs_(static_cast<std::size_t>(kSlice * table_->slices()) * 2, 0.0),
-      velocity_pairs_(damped() ? position_pairs_.size() : 0, 0.0),
+      velocity_pairs_(first_is_damped() ? position_pairs_.size() : 0, 0.0),
       part_sums_(static_cast<std::size_t>(parts_of(table_->points)), 0.0) {}
 
 std::shared_ptr<const BondForces::Table> BondForces::table_of(const Lattice& lattice) {
@@ -62,17 +63,22 @@ std::shared_ptr<const BondForces::Table> BondForces::table_of(const Lattice& lat
   return table;
 }
 
+BondForces BondForces::of_two_bodies(BondForces first, BondForces second) {
+  first.second_.push_back(std::move(second));
+  return first;
+}
+
 BondForces BondForces::with(const BondLaw& law) const {
   BondForces changed = *this;
   changed.law_ = law;
-  changed.velocity_pairs_.assign(changed.damped() ? position_pairs_.size() : 0, 0.0);
+  changed.velocity_pairs_.assign(changed.first_is_damped() ? position_pairs_.size() : 0, 0.0);
   return changed;
 }
 
 void BondForces::pair_up(const PointArray& points, Aligned<double>& pairs) const {
   const double* const x = points.data();
   const double* const y = x + points.rows();
-  in_parts(points.rows(), [&](Eigen::Index /*part*/, Eigen::Index first, Eigen::Index size) {
+  in_parts(table_->points, [&](Eigen::Index /*part*/, Eigen::Index first, Eigen::Index size) {
     kernels_->pair_up(x + first, y + first, size, pairs.data() + 2 * first);
   });
 }
@@ -84,7 +90,7 @@ double BondForces::evaluate(bool damped, const PointArray& position, PointArray&
       law_.k_a,
       law_.k_b,
       law_.eta,
-      table_->points,
+      force.rows(),
       position_pairs_.data(),
       velocity_pairs_.data(),
       force.data()};
@@ -99,14 +105,41 @@ double BondForces::evaluate(bool damped, const PointArray& position, PointArray&
   return std::accumulate(part_sums_.begin(), part_sums_.end(), 0.0);
 }
 
+/// Without a velocity there is no damping. What the last slice writes behind the first body's rows
+/// is overwritten by the second's.
+double BondForces::evaluate_first(const PointArray& position, const PointArray* velocity,
+                                  PointArray& force) {
+  const bool with_damping = velocity != nullptr && first_is_damped();
+  if (with_damping) pair_up(*velocity, velocity_pairs_);
+  return 0.5 * law_.eta * evaluate(with_damping, position, force);
+}
+
+double BondForces::evaluate_second(const PointArray& position, const PointArray* velocity,
+                                   PointArray& force) {
+  BondForces& second = second_.front();
+  const Eigen::Index rows = second.points();
+  of_second_.position = position.bottomRows(rows);
+  of_second_.force.resize(rows, 2);
+  double power = 0.0;
+  if (velocity != nullptr) {
+    of_second_.velocity = velocity->bottomRows(rows);
+    power = second.evaluate(of_second_.position, of_second_.velocity, of_second_.force);
+  } else {
+    second.evaluate_elastic(of_second_.position, of_second_.force);
+  }
+  force.bottomRows(rows) = of_second_.force;
+  return power;
+}
+
 double BondForces::evaluate(const PointArray& position, const PointArray& velocity,
                             PointArray& force) {
-  if (damped()) pair_up(velocity, velocity_pairs_);
-  return 0.5 * law_.eta * evaluate(damped(), position, force);
+  const double power = evaluate_first(position, &velocity, force);
+  return has_two_laws() ? power + evaluate_second(position, &velocity, force) : power;
 }
 
 void BondForces::evaluate_elastic(const PointArray& position, PointArray& force) {
-  evaluate(false, position, force);
+  evaluate_first(position, nullptr, force);
+  if (has_two_laws()) evaluate_second(position, nullptr, force);
 }
 
 template <class Use>
@@ -123,6 +156,14 @@ void BondForces::for_each_bond(Eigen::Index first, Eigen::Index end, const Use& 
 
 double BondForces::potential_energy(const PointArray& position, Eigen::Index first,
                                     Eigen::Index end) const {
+  double of_second = 0.0;
+  if (has_two_laws() && end > table_->points) {
+    const BondForces& second = second_.front();
+    of_second = second.potential_energy(position.bottomRows(second.points()),
+                                        std::max<Eigen::Index>(0, first - table_->points),
+                                        end - table_->points);
+    end = table_->points;
+  }
   double linear = 0.0;
   double cubic = 0.0;
   for_each_bond(first, end, [&](std::int32_t i, std::int32_t j, double natural_length) {
@@ -131,14 +172,14 @@ double BondForces::potential_energy(const PointArray& position, Eigen::Index fir
     linear += squared;
     cubic += squared * squared;
   });
-  return law_.k_a * linear / 2.0 + law_.k_b * cubic / 4.0;
+  return of_second + law_.k_a * linear / 2.0 + law_.k_b * cubic / 4.0;
 }
 
 std::vector<Eigen::Triplet<double>> BondForces::stiffness(const PointArray& position) const {
   const auto points = static_cast<std::int32_t>(position.rows());
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(8 * table_->end.size());
-  for_each_bond(0, points, [&](std::int32_t i, std::int32_t j, double natural_length) {
+  for_each_bond(0, table_->points, [&](std::int32_t i, std::int32_t j, double natural_length) {
     const Eigen::Vector2d offset = (position.row(i) - position.row(j)).matrix().transpose();
     const double length = offset.norm();
     const Eigen::Vector2d normal = offset / length;
@@ -158,22 +199,41 @@ std::vector<Eigen::Triplet<double>> BondForces::stiffness(const PointArray& posi
       }
     }
   });
+  if (!has_two_laws()) return entries;
+  const auto first_points = static_cast<std::int32_t>(table_->points);
+  const std::int32_t of_second = points - first_points;
+  const auto place = [&](int k) {
+    return k < of_second ? first_points + k : points + first_points + k - of_second;
+  };
+  for (const auto& entry : second_.front().stiffness(position.bottomRows(of_second))) {
+    entries.emplace_back(place(entry.row()), place(entry.col()), entry.value());
+  }
   return entries;
 }
 
 std::vector<Eigen::Triplet<double>> BondForces::damping() const {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(2 * table_->end.size());
-  for_each_bond(0, points(), [&](std::int32_t i, std::int32_t j, double) {
+  for_each_bond(0, table_->points, [&](std::int32_t i, std::int32_t j, double) {
     entries.emplace_back(i, i, law_.eta);
     entries.emplace_back(j, j, law_.eta);
     entries.emplace_back(i, j, -law_.eta);
     entries.emplace_back(j, i, -law_.eta);
   });
+  if (!has_two_laws()) return entries;
+  const auto first_points = static_cast<int>(table_->points);
+  for (const auto& entry : second_.front().damping()) {
+    entries.emplace_back(first_points + entry.row(), first_points + entry.col(), entry.value());
+  }
   return entries;
 }
 
 std::string BondForces::name() const {
+  if (has_two_laws()) {
+    BondForces first = *this;
+    first.second_.clear();
+    return first.name() + ", of the wall: " + second_.front().name();
+  }
   if (law_.k_b != 0.0) return damped() ? "bonds (cubic, damped)" : "bonds (cubic)";
   return damped() ? "bonds (damped)" : "bonds";
 }

@@ -26,10 +26,16 @@ struct BondLaw {
 /// The loop over the bonds is instantiated for (k_b ≠ 0, η ≠ 0), so that a law without a cubic
 /// term or without damping does not evaluate it, and for several instruction sets, see Kernels.
 /// Every bond is evaluated at each of its ends, which needs no scattered writing.
+///
+/// Two bodies of one law are one lattice; of two laws, see of_two_bodies().
 class BondForces {
  public:
   BondForces(const Lattice& lattice, const BondLaw& law,
              const Kernels& kernels = impact::kernels());
+
+  /// Those of two bodies, each with its own law; the rows of the second come after those of the
+  /// first.
+  static BondForces of_two_bodies(BondForces first, BondForces second);
 
   /// Overwrites `force` (M c²/R) with the force on each point. Returns the power that the damping
   /// dissipates, η Σ |v_i − v_j|² (M c³/R). Velocities are not read when the law has no damping.
@@ -42,7 +48,11 @@ class BondForces {
   /// and −η between its ends (M c/R), those of one place to be added up.
   std::vector<Eigen::Triplet<double>> damping() const;
 
-  Eigen::Index points() const { return table_->points; }
+  Eigen::Index points() const {
+    return second_.empty() ? table_->points : table_->points + second_.front().points();
+  }
+  /// Whether the rows belong to two bodies, each with its own law.
+  bool has_two_laws() const { return !second_.empty(); }
 
   /// Σ k_a x²/2 + k_b x⁴/4, in M c².
   double potential_energy(const PointArray& position) const {
@@ -55,10 +65,11 @@ class BondForces {
   /// up; row and column i stand for x of point i, N + i for its y.
   std::vector<Eigen::Triplet<double>> stiffness(const PointArray& position) const;
 
-  bool damped() const { return law_.eta != 0.0; }
+  bool damped() const { return law_.eta != 0.0 || (has_two_laws() && second_.front().damped()); }
+  /// Of the first body.
   const BondLaw& law() const { return law_; }
 
-  /// The same bonds with other constants.
+  /// The same bonds, of one law, with other constants.
   BondForces with(const BondLaw& law) const;
 
   /// "bonds", with what the law has besides the linear spring: "bonds (cubic, damped)".
@@ -83,6 +94,9 @@ class BondForces {
   template <class Use>
   void for_each_bond(Eigen::Index first, Eigen::Index end, const Use& use) const;
   double evaluate(bool damped, const PointArray& position, PointArray& force);
+  double evaluate_first(const PointArray& position, const PointArray* velocity, PointArray& force);
+  double evaluate_second(const PointArray& position, const PointArray* velocity, PointArray& force);
+  bool first_is_damped() const { return law_.eta != 0.0; }
   void pair_up(const PointArray& points, Aligned<double>& pairs) const;
 
   BondLaw law_;
@@ -91,6 +105,10 @@ class BondForces {
   Aligned<double> position_pairs_;
   Aligned<double> velocity_pairs_;  ///< empty without damping
   std::vector<double> part_sums_;   ///< what a kernel returns, of each part of the points
+  std::vector<BondForces> second_;  ///< of the second body, by itself; empty: of one law
+  struct {
+    PointArray position, velocity, force;
+  } of_second_;  ///< its rows, between two evaluations of no meaning
 };
 
 }  // namespace impact

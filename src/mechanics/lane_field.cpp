@@ -11,7 +11,7 @@ namespace impact {
 bool LaneField::knows(const ForceField& field) {
   // The loops of the lanes have either a potential wall, or no damping and what acts by itself.
   const bool at_a_wall = (field.wall && !field.supports) || (field.elastic_wall && !field.damped());
-  bool known = true;
+  bool known = !field.bonds.has_two_laws();
   field.for_each_term(
       [&](const auto& term) { known = known && std::decay_t<decltype(term)>::kInLanes; });
   return known && at_a_wall;
@@ -34,6 +34,7 @@ LaneField::LaneField(const Lattice& lattice, double mass, Kind kind, const Kerne
 }
 
 void LaneField::set_lane(int lane, ForceField& field) {
+  if (field.bonds.has_two_laws()) throw std::logic_error("lanes know bonds of one law only");
   const BondLaw& bonds = field.bonds.law();
   k_a_(lane) = bonds.k_a;
   k_b_(lane) = bonds.k_b;

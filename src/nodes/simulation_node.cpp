@@ -53,9 +53,8 @@ void check_stamps(double seconds_per_time_unit, double period, double longest_ti
 }
 
 bool has_elastic_wall(const std::vector<Scene>& series) {
-  return std::any_of(series.begin(), series.end(), [](const Scene& scene) {
-    return scene.kind == SceneKind::kCollision && scene.wall.kind == WallKind::kLattice;
-  });
+  return std::any_of(series.begin(), series.end(),
+                     [](const Scene& scene) { return scene.has_elastic_wall(); });
 }
 
 double free_space(const std::string& file) {

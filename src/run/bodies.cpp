@@ -95,8 +95,9 @@ Lattice stretched_rectangle(const Scene& scene) {
   }
 }
 
-bool has_wall_lattice(const Scene& scene) {
-  return scene.kind == SceneKind::kCollision && scene.wall.kind == WallKind::kLattice;
+/// Nothing is damped where nothing moves.
+BondLaw law_of(const Scene& scene, const Scene::Material& material, double point_mass) {
+  return {material.k_a, material.k_b, scene.is_static() ? 0.0 : material.eta * point_mass};
 }
 
 Spectrum unit_spectrum(const Lattice& lattice, bool damped) {
@@ -110,7 +111,7 @@ std::shared_ptr<const Bodies> make_bodies(const Scene& scene) {
                            ? FileLattice{stretched_rectangle(scene), {}}
                            : disk_lattice(scene);
   std::optional<ElasticWallBody> wall;
-  if (has_wall_lattice(scene)) {
+  if (scene.has_elastic_wall()) {
     wall = elastic_wall_body(scene, disk.points.rows());
     for (const std::string& flag : wall->flags) {
       if (std::find(flags.begin(), flags.end(), flag) == flags.end()) flags.push_back(flag);
@@ -139,7 +140,7 @@ std::string key_of_bodies(const Scene& scene) {
   if (scene.kind == SceneKind::kStretch) {
     key += fmt::format("\nstretch {} {}", scene.stretch.width, scene.stretch.height);
   }
-  if (has_wall_lattice(scene)) {
+  if (scene.has_elastic_wall()) {
     const Scene::Wall& wall = scene.wall;
     key += fmt::format("\nwall {} {} {} {}", wall.points, wall.width.value_or(0.0),
                        wall.height.value_or(0.0), wall.file);
@@ -147,7 +148,22 @@ std::string key_of_bodies(const Scene& scene) {
   return key;
 }
 
-Spectrum spectrum_of(const Bodies& bodies, const BondLaw& law, double point_mass) {
+BondForces bonds_of(const Scene& scene, const Bodies& bodies, double point_mass) {
+  const BondLaw of_disk = law_of(scene, scene.material, point_mass);
+  if (!scene.has_own_wall_material()) return bodies.bonds.with(of_disk);
+  const BondLaw of_wall = law_of(scene, scene.wall_material(), point_mass);
+  return BondForces::of_two_bodies(BondForces(bodies.disk, of_disk),
+                                   BondForces(bodies.wall->lattice, of_wall));
+}
+
+Spectrum spectrum_of(const Scene& scene, const Bodies& bodies, double point_mass) {
+  const BondLaw law = law_of(scene, scene.material, point_mass);
+  if (scene.has_own_wall_material()) {
+    const Spectrum disk = lattice_spectrum(bodies.disk, law, point_mass);
+    const Spectrum wall = lattice_spectrum(
+        bodies.wall->lattice, law_of(scene, scene.wall_material(), point_mass), point_mass);
+    return {std::max(disk.omega_squared, wall.omega_squared), std::max(disk.gamma, wall.gamma)};
+  }
   Spectrum unit;
   if (bodies.spectrum && (law.eta == 0.0 || bodies.spectrum->gamma > 0.0)) {
     unit = *bodies.spectrum;

@@ -36,7 +36,11 @@ std::shared_ptr<const Bodies> make_bodies(const Scene& scene);
 /// Equal for scenes of which make_bodies() makes the same, but for the spectrum.
 std::string key_of_bodies(const Scene& scene);
 
-/// The spectrum with these constants of the bonds and this mass of a point, M.
-Spectrum spectrum_of(const Bodies& bodies, const BondLaw& law, double point_mass);
+/// The bonds of the scene's bodies, those of an elastic wall with the wall's own constants where
+/// the scene gives them. `point_mass` in M.
+BondForces bonds_of(const Scene& scene, const Bodies& bodies, double point_mass);
+
+/// Their spectrum.
+Spectrum spectrum_of(const Scene& scene, const Bodies& bodies, double point_mass);
 
 }  // namespace impact

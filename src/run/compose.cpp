@@ -87,19 +87,17 @@ void add_terms(const Scene& scene, const Bodies& bodies, const PotentialWall& wa
 Composition compose_on_wall(const Scene& scene, std::shared_ptr<const Bodies> bodies) {
   const Eigen::Index points = bodies->disk.points.rows();
   const double mass = 1.0 / static_cast<double>(points);
-  const double eta = scene.is_static() ? 0.0 : scene.material.eta * mass;
-  const BondLaw law{scene.material.k_a, scene.material.k_b, eta};
   const PotentialWall wall = repulsion(scene, points);
 
   State initial = initial_state(scene, *bodies, wall);
-  ForceField field{bodies->bonds.with(law), mass};
+  ForceField field{bonds_of(scene, *bodies, mass), mass};
   add_terms(scene, *bodies, wall, initial.position, field);
-  const double sound_speed = estimated_sound_speed(law.k_a);
+  const double sound_speed = estimated_sound_speed(scene.material.k_a);
   if (scene.is_static()) {
     return {std::move(bodies),      std::move(field), std::move(initial),
             {{}, 0.0, sound_speed}, kNoMotion,        0.0};
   }
-  Spectrum spectrum = spectrum_of(*bodies, law, mass);
+  Spectrum spectrum = spectrum_of(scene, *bodies, mass);
   if (field.viscous_boundary) {
     spectrum.gamma += field.viscous_boundary->largest_coefficient() / mass;
   }

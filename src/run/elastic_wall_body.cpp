@@ -150,7 +150,7 @@ void add_elastic_wall(const Scene& scene, const ElasticWallBody& wall, const Wal
       break;
     case Boundary::kViscous:
       field.viscous_boundary =
-          viscous_boundary(wall, field.point_mass, scene.material.k_a, first_row);
+          viscous_boundary(wall, field.point_mass, scene.wall_material().k_a, first_row);
       break;
   }
 }

@@ -27,7 +27,8 @@ double relaxation_time(const Scene& scene, Eigen::Index points) {
 }
 
 double impact_time(const Scene& scene, double gap) {
-  const double sound_speed = estimated_sound_speed(scene.material.k_a);
+  const double softer = std::min(scene.material.k_a, scene.wall_material().k_a);
+  const double sound_speed = estimated_sound_speed(softer);
   const double v = scene.impact.normal_velocity();
   const double contact =
       M_PI / sound_speed * std::sqrt(std::max(1.0, std::log(4.0 * sound_speed / v)));
@@ -52,8 +53,7 @@ double negligible_wall_energy(const Scene& scene) {
 double negligible_fraction(const Scene& scene) { return 0.01 * scene.numerics.error; }
 
 bool has_resets(const Scene& scene) {
-  return scene.kind == SceneKind::kCollision && scene.wall.kind == WallKind::kLattice &&
-         scene.wall.boundary == Boundary::kReset;
+  return scene.has_elastic_wall() && scene.wall.boundary == Boundary::kReset;
 }
 
 double on_whole_resets(const Scene& scene, double height) {

@@ -44,10 +44,6 @@ constexpr double kIterationsOfRolling = 1000.0;  // with the search for other pl
 constexpr double kIteration = 4e-7;
 constexpr double kPowerOfIteration = 1.25;
 
-bool has_elastic_wall(const Scene& scene) {
-  return scene.kind == SceneKind::kCollision && scene.wall.kind == WallKind::kLattice;
-}
-
 Forecast of_static_solution(const Scene& scene, Eigen::Index points) {
   const bool rolls = scene.kind == SceneKind::kContact && !scene.load.hold_rotation;
   const double iterations = rolls ? kIterationsOfRolling : kIterations;
@@ -107,7 +103,7 @@ Eigen::Index points_of(const Scene& scene) {
 }
 
 Eigen::Index wall_points_of(const Scene& scene) {
-  return has_elastic_wall(scene) ? scene.wall.points : 0;
+  return scene.has_elastic_wall() ? scene.wall.points : 0;
 }
 
 /// The keys whose defaults would at least halve the time, those that would most first.

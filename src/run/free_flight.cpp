@@ -97,7 +97,8 @@ bool FreeFlight::is_for_good(const Motion& motion, double fraction) {
   }
   if (!(velocity > 0.0)) return false;
   if (!tethers_) tethers_.emplace(bodies_->disk);
-  const double outermost = tethers_->largest_distance(elongation(energy_margin(inner.energy)));
+  const double outermost =
+      tethers_->largest_distance(elongation(energy_margin(inner.energy), scene_.material));
   return clearance(Eigen::ArrayXd::Constant(points, height - outermost), wall) >= 0.0;
 }
 
@@ -116,7 +117,7 @@ InnerBounds FreeFlight::bounds(const InnerMotion& motion) const {
     energy = energy_margin(std::max(0.0, motion.energy - rotation)) + kRounding * motion.energy;
     displacement = std::sqrt(2.0 * energy) / omega;
   }
-  const double x = elongation(energy);
+  const double x = elongation(energy, scene_.material);
   InnerBounds bounds{};
   bounds.hold = x <= kFirstOrder * spacing_ && displacement <= kLargestDisplacement * gyration &&
                 std::isfinite(bodies_->flexibility.compliance);
@@ -139,7 +140,7 @@ InnerBounds FreeFlight::bounds(const InnerMotion& motion) const {
 FreeFlight::Surface FreeFlight::surface(const Motion& motion, double energy) {
   if (!bodies_->wall) return {0.0, 0.0};
   if (scene_.wall.boundary == Boundary::kFixed) {
-    return clamped_surface(elongation(energy_margin(energy)));
+    return clamped_surface(elongation(energy_margin(energy), scene_.wall_material()));
   }
   const PointArray position = motion.state().position.bottomRows(motion.field().wall_points);
   if (wall_rests(motion, energy)) {
@@ -170,7 +171,7 @@ FreeFlight::Surface FreeFlight::free_surface(const PointArray& shape, const Cons
   const double centre = position.col(1).mean();
   const double mass =
       static_cast<double>(reference.rows()) / static_cast<double>(reference_.rows());
-  const double x = elongation(energy);
+  const double x = elongation(energy, scene_.wall_material());
   if (x <= spacing_ && std::isfinite(bodies_->wall_flexibility.compliance)) {
     const double angle = rigid_rotation(reference, position);
     const double lever = reference.col(0).abs().maxCoeff();
@@ -187,8 +188,8 @@ double FreeFlight::swing(const Flexibility& body, double elongation) const {
   return std::sqrt(body.compliance) * elongation * (1.0 + elongation / spacing_);
 }
 
-double FreeFlight::elongation(double energy) const {
-  return std::sqrt(2.0 * energy / scene_.material.k_a);
+double FreeFlight::elongation(double energy, const Scene::Material& material) {
+  return std::sqrt(2.0 * energy / material.k_a);
 }
 
 WallAbove FreeFlight::wall_above(const Motion& motion, double limit) const {

@@ -99,7 +99,7 @@ class FreeFlight {
   Surface clamped_surface(double elongation) const;
   Surface free_surface(const PointArray& shape, const ConstPoints& position, double energy);
   bool wall_rests(const Motion& motion, double energy);
-  double elongation(double energy) const;
+  static double elongation(double energy, const Scene::Material& material);
   /// How far a point of this body may come out of place (R), X being the elongation.
   double swing(const Flexibility& body, double elongation) const;
   WallAbove wall_above(const Motion& motion, double limit) const;

@@ -81,7 +81,10 @@ struct Scene {
   struct Wall {
     WallKind kind = WallKind::kPotential;
     double a = 300.0;
-    std::optional<double> v0;  ///< empty: a R m c², half of it for an elastic wall, with m = M/N
+    std::optional<double> v0;   ///< empty: a R m c², half of it for an elastic wall, with m = M/N
+    std::optional<double> k_a;  ///< of an elastic wall's bonds; empty: as in the disk
+    std::optional<double> k_b;
+    std::optional<double> eta;  ///< η*
     int points = 1269;
     std::optional<double> width;   ///< empty: by the disk's number density
     std::optional<double> height;  ///< empty: by the disk's number density
@@ -133,6 +136,18 @@ struct Scene {
     double period = 0.02;
   } output;
 
+  bool has_elastic_wall() const {
+    return kind == SceneKind::kCollision && wall.kind == WallKind::kLattice;
+  }
+  /// Of the elastic wall, where it is not that of the disk.
+  bool has_own_wall_material() const {
+    return has_elastic_wall() && (wall.k_a || wall.k_b || wall.eta);
+  }
+  Material wall_material() const {
+    return {wall.k_a.value_or(material.k_a), wall.k_b.value_or(material.k_b),
+            wall.eta.value_or(material.eta)};
+  }
+
   /// Whether the answer is a static solution, found without motion.
   bool is_static() const {
     return kind == SceneKind::kStretch || numerics.integrator == IntegratorKind::kNewton ||
@@ -143,9 +158,8 @@ struct Scene {
   bool has_recipes_only() const { return disk.file.empty() && wall.file.empty(); }
   /// Whether forces depend on velocities.
   bool is_damped() const {
-    return material.eta != 0.0 ||
-           (kind == SceneKind::kCollision && wall.kind == WallKind::kLattice &&
-            wall.boundary == Boundary::kViscous);
+    return material.eta != 0.0 || (has_elastic_wall() && (wall_material().eta != 0.0 ||
+                                                          wall.boundary == Boundary::kViscous));
   }
 };
 

@@ -117,6 +117,18 @@ Table wall_keys() {
 
 Table elastic_wall_keys() {
   Table table{
+      real_or_auto<Scene>(
+          "wall.k_a", "M c²/R²", {0.0, 1e6, false},
+          "elastic wall: linear stiffness of a bond; auto: as in the disk",
+          [](auto& s) -> auto& { return s.wall.k_a; }),
+      real_or_auto<Scene>(
+          "wall.k_b", "M c²/R⁴", {0.0, 1e12},
+          "elastic wall: cubic stiffness of a bond; auto: as in the disk",
+          [](auto& s) -> auto& { return s.wall.k_b; }),
+      real_or_auto<Scene>(
+          "wall.eta", "(M/N) c/R", {0.0, 1e6},
+          "elastic wall: viscosity of a bond; auto: as in the disk",
+          [](auto& s) -> auto& { return s.wall.eta; }),
       whole<Scene>(
           "wall.points", 3, 1000000, "elastic wall: number of mass points",
           [](auto& s) -> auto& { return s.wall.points; }),

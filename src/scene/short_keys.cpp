@@ -62,6 +62,10 @@ std::string full_key(const std::vector<Scene>& scenes, const std::string& name) 
       meant.push_back(parameter.key);
     }
   }
+  const auto of_material = std::find_if(meant.begin(), meant.end(), [](const std::string& key) {
+    return key.rfind("material.", 0) == 0;
+  });
+  if (of_material != meant.end()) return *of_material;
   if (meant.size() > 1) {
     throw InputError(
         fmt::format("{}: ambiguous, allowed: {}", shown(name), fmt::join(meant, " or ")));

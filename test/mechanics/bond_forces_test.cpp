@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include "every_kernel.hpp"
@@ -220,6 +221,79 @@ TEST(BondForces, TriangularLatticeHasItsElasticConstants) {
   // The energy is quadratic up to terms of relative order of the strain.
   EXPECT_NEAR(c_12 / c_11, 1.0 / 3.0, 10.0 * kStrain);
   EXPECT_NEAR(c_11 - c_12 * c_12 / c_11, 2.0 / std::sqrt(3.0), 10.0 * kStrain);
+}
+
+/// Two triangles beside each other: the forces, powers, energies and matrices of two bodies with
+/// two laws are those of each by itself.
+TEST(BondForces, OfTwoBodiesAreThoseOfEach) {
+  Lattice other = triangular_patch(3);
+  other.points.col(0) += 10.0;
+  const Lattice disk = triangular_patch(4);
+  const BondLaw soft{0.01, 0.3, 0.7};
+  const BondLaw hard{1.0, 0.5, 0.0};
+  BondForces of_disk(disk, hard);
+  BondForces of_other(other, soft);
+  BondForces both = BondForces::of_two_bodies(of_disk, of_other);
+  ASSERT_EQ(both.points(), 25);
+  EXPECT_TRUE(both.has_two_laws());
+  EXPECT_TRUE(both.damped());
+
+  PointArray position(25, 2);
+  position << disk.points, other.points;
+  PointArray velocity = PointArray::Zero(25, 2);
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> noise(0.0, 0.01);
+  for (Eigen::Index i = 0; i < 25; ++i) {
+    for (const int axis : {0, 1}) {
+      position(i, axis) += noise(random);
+      velocity(i, axis) = noise(random);
+    }
+  }
+  PointArray force(25, 2);
+  PointArray disk_force(16, 2);
+  PointArray other_force(9, 2);
+  const PointArray disk_position = position.topRows(16);
+  const PointArray other_position = position.bottomRows(9);
+  const double power = both.evaluate(position, velocity, force);
+  of_disk.evaluate(disk_position, velocity.topRows(16), disk_force);
+  EXPECT_EQ(power, of_other.evaluate(other_position, velocity.bottomRows(9), other_force));
+  EXPECT_TRUE((force.topRows(16) == disk_force).all());
+  EXPECT_TRUE((force.bottomRows(9) == other_force).all());
+  EXPECT_EQ(both.potential_energy(position, 16, 25), of_other.potential_energy(other_position));
+  EXPECT_EQ(both.potential_energy(position, 0, 16), of_disk.potential_energy(disk_position));
+  EXPECT_DOUBLE_EQ(both.potential_energy(position), of_disk.potential_energy(disk_position) +
+                                                        of_other.potential_energy(other_position));
+
+  both.evaluate_elastic(position, force);
+  of_other.evaluate_elastic(other_position, other_force);
+  EXPECT_TRUE((force.bottomRows(9) == other_force).all());
+
+  const auto dense = [](const std::vector<Eigen::Triplet<double>>& entries, Eigen::Index size) {
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
+    for (const auto& entry : entries) matrix(entry.row(), entry.col()) += entry.value();
+    return matrix;
+  };
+  const Eigen::MatrixXd damping = dense(both.damping(), 25);
+  EXPECT_EQ(damping.bottomRightCorner(9, 9), dense(of_other.damping(), 9));
+  EXPECT_TRUE(damping.topRows(16).isZero(0.0));
+  // −∂F/∂r by a shift of one point of the second body, whose x is coordinate 16 and y 25 + 16.
+  const Eigen::MatrixXd stiffness = dense(both.stiffness(position), 50);
+  constexpr double kStep = 1e-6;
+  for (const int axis : {0, 1}) {
+    PointArray above = position;
+    PointArray below = position;
+    above(16, axis) += kStep;
+    below(16, axis) -= kStep;
+    PointArray force_above(25, 2);
+    PointArray force_below(25, 2);
+    both.evaluate_elastic(above, force_above);
+    both.evaluate_elastic(below, force_below);
+    const PointArray slope = (force_below - force_above) / (2.0 * kStep);
+    const Eigen::VectorXd column = stiffness.col(axis * 25 + 16);
+    // Truncation k_b h² and rounding 10⁻¹⁶/h of forces of order 0.01.
+    EXPECT_LT((Eigen::Map<const Eigen::VectorXd>(slope.data(), 50) - column).cwiseAbs().maxCoeff(),
+              1e-9);
+  }
 }
 
 }  // namespace

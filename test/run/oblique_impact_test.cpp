@@ -152,5 +152,50 @@ TEST(ObliqueImpact, IsGoodWhenSpinAndTangentialRestitutionAreToo) {
   EXPECT_GT(estimates(&Restitution::tangential_restitution).size(), 3U);
 }
 
+/// With the disk's own constants it makes the steps of a wall that takes them over, bit for bit.
+TEST(WallMaterial, OfTheDiskIsTheDisks) {
+  for (const double eta : {0.0, 5.0}) {
+    Scene scene = thrown(0.1, 45.0, 0.0);
+    scene.material.eta = eta;
+    scene.wall.kind = WallKind::kLattice;
+    scene.wall.boundary = Boundary::kFixed;
+    scene.wall.points = 240;
+    const Restitution shared = result_of(impact::Run(scene));
+    scene.wall.k_a = scene.material.k_a;
+    scene.wall.k_b = scene.material.k_b;
+    scene.wall.eta = eta;
+    ASSERT_TRUE(compose(scene).field.bonds.has_two_laws());
+    const Restitution own = result_of(impact::Run(scene));
+    EXPECT_EQ(own.restitution, shared.restitution);
+    EXPECT_EQ(own.spin_after, shared.spin_after);
+  }
+}
+
+/// A wall a hundred times as soft gives way: the contact lasts longer, the force is smaller, and
+/// the energy balance holds as with any other (energy_error, a failure of the run when it breaks).
+TEST(WallMaterial, OfASoftWallMakesASoftContact) {
+  Scene scene = thrown(0.01, 0.0, 0.0);
+  scene.wall.kind = WallKind::kLattice;
+  scene.wall.boundary = Boundary::kFixed;
+  scene.wall.points = 240;
+  const Restitution hard = result_of(impact::Run(scene));
+  scene.wall.k_a = 0.01;
+  const Restitution soft = result_of(impact::Run(scene));
+  EXPECT_GT(soft.contact_duration, 2.0 * hard.contact_duration);
+  EXPECT_LT(soft.peak_force, 0.5 * hard.peak_force);
+}
+
+/// Damping in the wall alone takes energy from an impact with an undamped disk.
+TEST(WallMaterial, MayBeDampedByItself) {
+  Scene scene = thrown(0.05, 0.0, 0.0);
+  scene.wall.kind = WallKind::kLattice;
+  scene.wall.boundary = Boundary::kFixed;
+  scene.wall.points = 240;
+  const double undamped = result_of(impact::Run(scene)).restitution;
+  scene.wall.eta = 10.0;
+  EXPECT_TRUE(scene.is_damped());
+  EXPECT_LT(result_of(impact::Run(scene)).restitution, undamped - 0.01);
+}
+
 }  // namespace
 }  // namespace impact

@@ -38,7 +38,8 @@ std::string missing_keys(const std::string& yaml) {
 
 TEST(ParseScene, HasTheKeysOfItsKind) {
   const std::string of_elastic_wall =
-      "wall.points wall.width wall.height wall.threshold wall.gap_measure wall.boundary "
+      "wall.k_a wall.k_b wall.eta wall.points wall.width wall.height wall.threshold "
+      "wall.gap_measure wall.boundary "
       "wall.reset_interval wall.file ";
   const std::string of_contact = "load.P load.hold_rotation ";
   const std::string of_collision = "impact.velocity impact.angle impact.spin impact.gap ";

@@ -40,6 +40,16 @@ TEST(OverrideKeys, RefusesAnAmbiguousKeyAndNamesBoth) {
                      "points: ambiguous, allowed: disk.points or wall.points");
 }
 
+/// Whatever material the wall may have of its own.
+TEST(OverrideKeys, MeansTheMaterialByItsShortKeys) {
+  const Scene scene =
+      scene_with("{scene: collision, wall: {type: lattice}}", {"eta=2", "k_a=3", "wall.k_b=0.5"});
+  EXPECT_EQ(scene.material.eta, 2.0);
+  EXPECT_EQ(scene.material.k_a, 3.0);
+  EXPECT_FALSE(scene.wall.k_a || scene.wall.eta);
+  EXPECT_EQ(scene.wall.k_b, 0.5);
+}
+
 TEST(OverrideKeys, KnowsTheKeysOfTheKindThatIsAskedFor) {
   const Scene wall = scene_with("{scene: collision}", {"boundary=fixed", "type=lattice"});
   EXPECT_EQ(wall.wall.boundary, Boundary::kFixed);

@@ -55,7 +55,7 @@ def _measures(recording, state):
     disk_velocity, *wall_velocity = recording.parts(state.velocity)
     disk_force = state.force[: recording.disk_rows]
     mass = recording.disk.point_mass
-    bond_law = recording.number("material", "k_a"), recording.number("material", "k_b")
+    bond_law = _bond_law(recording, "material")
     measures = {
         "time": state.time,
         "strain": compression(recording.disk.points, disk),
@@ -74,5 +74,12 @@ def _measures(recording, state):
         measures["wall"] = sizes.sum() / recording.number("wall", "a")
     if wall:
         moving = 0.5 * recording.wall.point_mass * np.sum(wall_velocity[0] ** 2)
-        measures["wall lattice"] = moving + recording.wall.bond_energy(wall[0], *bond_law)
+        measures["wall lattice"] = moving + recording.wall.bond_energy(wall[0], *_bond_law(recording, "wall"))
     return measures
+
+
+def _bond_law(recording, part):
+    """k_a and k_b of the disk ("material") or of an elastic wall, which may have its own."""
+    own = recording.scene.get(part) or {}
+    return tuple(recording.number(part if own.get(key, "auto") != "auto" else "material", key)
+                 for key in ("k_a", "k_b"))
