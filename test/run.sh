@@ -1,7 +1,7 @@
 #!/bin/bash
 # Installs and builds what is missing, then runs all tests.
 #   --strict              also the checks of the sources: compiler warnings as errors, clang-format,
-#                         clang-tidy and catkin_lint
+#                         clang-tidy and catkin_lint; and each fuzzer for five seconds
 #   --package             also the Debian package in a fresh minimal system (mmdebstrap)
 #   --sanitize address    only the unit tests, with assertions, AddressSanitizer and UBSan
 #   --sanitize thread     only those of series on several threads, with ThreadSanitizer
@@ -63,7 +63,8 @@ case "${1:-}" in
   "") all_tests OFF ;;
   --strict)
     install clang-format clang-tidy catkin-lint
-    all_tests ON ;;
+    all_tests ON
+    fuzz 5 ;;
   --package)
     install mmdebstrap
     all_tests OFF ;;
