@@ -54,7 +54,8 @@ fuzz() {
     mkdir -p "$corpus" "build/fuzz/found"
     [ -d "$seeds" ] || seeds=
     "build/fuzz/test/fuzz_$name" -max_total_time="$1" -print_final_stats=1 -verbosity=0 \
-      -timeout=60 -detect_leaks="$leaks" -artifact_prefix="build/fuzz/found/$name-" "$corpus" $seeds
+      -print_funcs=0 -timeout=60 -detect_leaks="$leaks" \
+      -artifact_prefix="build/fuzz/found/$name-" "$corpus" $seeds
   done
 }
 
