@@ -7,27 +7,11 @@
 #include <cmath>
 #include <utility>
 
+#include "lattice/area.hpp"
 #include "lattice/input_error.hpp"
-#include "lattice/ordering.hpp"
-#include "lattice/triangulation.hpp"
 
 namespace impact {
 namespace {
-
-void require_area(const PointArray& points) {
-  if (points.rows() < 3) {
-    throw InputError(fmt::format("a lattice needs at least 3 points, got {}", points.rows()));
-  }
-  const PointArray centred = points.rowwise() - points.colwise().mean();
-  const double xx = centred.col(0).square().sum();
-  const double yy = centred.col(1).square().sum();
-  const double xy = (centred.col(0) * centred.col(1)).sum();
-  const double relative_determinant = (xx * yy - xy * xy) / ((xx + yy) * (xx + yy));
-  constexpr double kRounding = 1e-14;
-  if (!(relative_determinant > kRounding)) {
-    throw InputError("the points of the lattice lie on one line (or are not finite numbers)");
-  }
-}
 
 void require_one_piece(Eigen::Index points, const std::vector<Bond>& bonds) {
   boost::disjoint_sets_with_storage<> pieces(static_cast<std::size_t>(points));
@@ -45,15 +29,22 @@ void require_one_piece(Eigen::Index points, const std::vector<Bond>& bonds) {
   }
 }
 
-PointArray in_order(const PointArray& points, const std::vector<std::int32_t>& order) {
-  PointArray ordered(points.rows(), 2);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    ordered.row(static_cast<Eigen::Index>(i)) = points.row(order[i]);
-  }
-  return ordered;
-}
-
 }  // namespace
+
+void require_area(const PointArray& points) {
+  if (points.rows() < 3) {
+    throw InputError(fmt::format("a lattice needs at least 3 points, got {}", points.rows()));
+  }
+  const PointArray centred = points.rowwise() - points.colwise().mean();
+  const double xx = centred.col(0).square().sum();
+  const double yy = centred.col(1).square().sum();
+  const double xy = (centred.col(0) * centred.col(1)).sum();
+  const double relative_determinant = (xx * yy - xy * xy) / ((xx + yy) * (xx + yy));
+  constexpr double kRounding = 1e-14;
+  if (!(relative_determinant > kRounding)) {
+    throw InputError("the points of the lattice lie on one line (or are not finite numbers)");
+  }
+}
 
 Lattice make_lattice(PointArray points, std::vector<Bond> bonds) {
   require_area(points);
@@ -88,27 +79,6 @@ Lattice joined(const Lattice& first, const Lattice& second) {
   both.natural_lengths.insert(both.natural_lengths.end(), second.natural_lengths.begin(),
                               second.natural_lengths.end());
   return both;
-}
-
-Lattice triangulated_lattice(const PointArray& points) {
-  require_area(points);
-  // Along a curve first: where the points lie in memory at random, the next steps take twice as
-  // long at N = 10⁶.
-  const PointArray along_curve = in_order(points, hilbert_order(points));
-  std::vector<Bond> bonds = delaunay_bonds(along_curve);
-  const std::vector<std::int32_t> order =
-      grouped_by_bonds(storage_order(points.rows(), bonds), bonds);
-
-  std::vector<std::int32_t> new_index(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    new_index[static_cast<std::size_t>(order[i])] = static_cast<std::int32_t>(i);
-  }
-  for (Bond& bond : bonds) {
-    const std::int32_t first = new_index[static_cast<std::size_t>(bond.first)];
-    const std::int32_t second = new_index[static_cast<std::size_t>(bond.second)];
-    bond = {std::min(first, second), std::max(first, second)};
-  }
-  return make_lattice(in_order(along_curve, order), std::move(bonds));
 }
 
 }  // namespace impact

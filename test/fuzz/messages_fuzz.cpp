@@ -1,51 +1,31 @@
 // A series of two impacts whose messages are changed, left out, doubled and put elsewhere as the
 // bytes say: no number of a run may differ from the true one without a flag.
 
-#include <ros/serialization.h>
-
 #include <cmath>
-#include <cstdlib>
 #include <map>
-#include <stdexcept>
+#include <variant>
 
 #include "input.hpp"
-#include "nodes/checksum.hpp"
 #include "nodes/series_analysis.hpp"
-#include "small_series.hpp"
+#include "recording.hpp"
 
 namespace impact {
 namespace {
 
+using Message = std::variant<lattice_impact::Lattice, lattice_impact::ParticleStates,
+                             lattice_impact::ContactForces, lattice_impact::RunStatus>;
 using Series = std::vector<Message>;
 
-std::uint64_t sum_of(const Series& messages) {
-  std::uint64_t sum = 0;
-  for (const Message& message : messages) {
-    if (!std::holds_alternative<lattice_impact::RunStatus>(message)) {
-      sum += std::visit([](const auto& m) { return checksum_of(m); }, message);
-    }
-  }
-  return sum;
-}
-
-Series make_series() {
+template <class... Messages>
+Series series_of(const std::vector<Record>& records, std::variant<Messages...>*) {
   Series series;
-  for (const std::uint32_t number : {0U, 1U}) {
-    Scene scene = small_scene(SceneKind::kCollision);
-    scene.disk.recipe.points = 3;
-    scene.output.period = 5.0;
-    scene.impact.velocity *= 1.0 + number;
-    Series run = messages_of(scene, number);
-    for (Message& message : run) {  // short, so that most of the time is not that of YAML
-      auto* const status = std::get_if<lattice_impact::RunStatus>(&message);
-      if (status == nullptr) continue;
-      status->scene =
-          "{scene: collision, disk: {points: 3}, output: {period: 5.0}, impact: {velocity: " +
-          std::to_string(scene.impact.velocity) + "}}";
+  const auto take = [&](const Record& record, auto message) {
+    if (is_a<decltype(message)>(record)) {
+      series.emplace_back(message_of<decltype(message)>(record));
     }
-    auto& end = std::get<lattice_impact::RunStatus>(run.back());
-    end.checksum = checksum_with(sum_of(run), end);
-    series.insert(series.end(), run.begin(), run.end());
+  };
+  for (const Record& record : records) {
+    if (record.topic.rfind("/collision/", 0) == 0) (take(record, Messages()), ...);
   }
   return series;
 }
@@ -66,33 +46,14 @@ std::map<std::uint32_t, lattice_impact::Restitution> results_of(const Series& se
   return results;
 }
 
-/// Refuses lengths of arrays that no message here has; roscpp would ask for the memory first.
-class LimitedStream : public ros::serialization::IStream {
- public:
-  using IStream::IStream;
-
-  template <class T>
-  void next(T& value) {
-    ros::serialization::deserialize(*this, value);
-  }
-  void next(std::uint32_t& value) {
-    constexpr std::uint32_t kMost = 1U << 20U;
-    IStream::next(value);
-    if (value > kMost) throw std::length_error("an array");
-  }
-};
-
 /// Leaves a message as it is whose bytes would not make one any more: ROS does not hand it over.
 template <class M>
 void change_byte(M& message, std::size_t place, std::uint8_t value) {
-  const ros::SerializedMessage bytes = ros::serialization::serializeMessage(message);
-  const std::size_t size = bytes.num_bytes - 4;  // behind the length
-  bytes.message_start[place % size] ^= value;
+  Record record;
+  put(message, record);
+  record.bytes[place % record.bytes.size()] ^= value;
   try {
-    LimitedStream stream(bytes.message_start, static_cast<std::uint32_t>(size));
-    M changed;
-    ros::serialization::deserialize(stream, changed);
-    message = changed;
+    message = message_of<M>(record);
   } catch (const std::exception&) {
   }
 }
@@ -129,8 +90,12 @@ bool is_told(const lattice_impact::Restitution& result) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace impact;
-  static const Series whole = make_series();
+  static const Series whole = series_of(recording(), static_cast<Message*>(nullptr));
   static const auto truth = results_of(whole);
+  if (truth.size() != 2 || is_told(truth.begin()->second)) {
+    std::fputs("recorded.bag is not of these messages: test/fuzz/record.py\n", stderr);
+    std::abort();
+  }
   Series series = whole;
   for (std::size_t at = 0; at + 4 <= size; at += 4) change(series, data + at);
   for (const auto& [run, result] : results_of(series)) {

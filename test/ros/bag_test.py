@@ -9,6 +9,7 @@ import signal
 import tempfile
 import unittest
 
+import rosbag
 import rospy
 import rostest
 from lattice_impact.msg import ParticleStates, RunStatus
@@ -169,6 +170,18 @@ class BagTest(unittest.TestCase):
                 self.assertEqual(run.stdout, whole, what)
             else:
                 self.assertTrue(run.stderr.startswith('analyse_bag: '), what)
+
+    def test_status_on_another_topic_is_told(self):
+        self.simulate('collision', {'disk.points': 30, 'impact.velocity': 0.05, 'output.period': 0.5})
+        with rosbag.Bag(self.bag) as bag:
+            records = list(bag.read_messages())
+        with rosbag.Bag(self.bag, 'w') as bag:
+            for topic, message, stamp in records:
+                is_first = topic.endswith('/run_status') and message.phase == RunStatus.RUNNING
+                bag.write(self.namespace + '/status' if is_first else topic, message, stamp)
+        analysis = BagAnalysis(self.bag)
+        self.assertEqual(analysis.exit_code, 1)
+        self.assertIn('run 0: run_status: 1 of 2 messages published', analysis.problems)
 
     def test_recording_ends_when_the_simulation_is_killed(self):
         with recorder(self.namespace, bag=self.bag, patience=0.5) as recording:
