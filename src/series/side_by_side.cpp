@@ -398,7 +398,8 @@ ResultTexts texts_of(const Experiment& experiment) {
 
 bool can_be_in_lanes(const Scene& scene) {
   if (scene.is_static()) return true;
-  const bool known = scene.wall.kind == WallKind::kPotential || !scene.is_damped();
+  const bool known = scene.wall.kind == WallKind::kPotential ||
+                     (!scene.is_damped() && !scene.has_own_wall_material());
   return scene.kind == SceneKind::kCollision && known && !is_adaptive(scene.numerics.integrator);
 }
 

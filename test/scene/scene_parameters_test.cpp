@@ -222,7 +222,7 @@ TEST_P(SceneFiles, AreCompleteAndValid) {
 
 INSTANTIATE_TEST_SUITE_P(Launch, SceneFiles,
                          testing::Values("collision.yaml", "contact.yaml", "absorbing_wall.yaml",
-                                         "stretch.yaml"));
+                                         "oblique.yaml", "stretch.yaml"));
 
 /// The page's table is the one from which the keys are validated.
 TEST(Documents, HaveTheSceneKeys) {

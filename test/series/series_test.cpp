@@ -11,6 +11,8 @@
 #include <set>
 
 #include "expect_input_error.hpp"
+#include "mechanics/lane_field.hpp"
+#include "run/compose.hpp"
 #include "scene/scene_parameters.hpp"
 #include "series/experiment.hpp"
 #include "series/side_by_side.hpp"
@@ -236,6 +238,27 @@ TEST(SideBySide, GivesTheResultsOfSingleExperimentsToTheLastBit) {
 
 TEST(SideBySide, DoesSoOnTheElasticWall) {
   expect_results_of_single_experiments(impacts_on_the_elastic_wall());
+}
+
+TEST(SideBySide, DoesSoWhereTheDiskSlides) {
+  expect_results_of_single_experiments(
+      scenes("{scene: collision, disk: {points: 20, orientation: balanced}, impact: "
+             "{velocity: [0.03, 0.05], angle: [-30, 60], spin: [0, 0.02]}}"));
+}
+
+/// What is put into lanes by its scene is what lanes take by its forces.
+TEST(SideBySide, PutsIntoLanesWhatLanesKnow) {
+  const auto walls = {"type: potential", "type: lattice, points: 60, boundary: fixed",
+                      "type: lattice, points: 60, boundary: viscous",
+                      "type: lattice, points: 60, k_a: 0.5", "type: lattice, points: 60, eta: 1"};
+  for (const char* const wall : walls) {
+    for (const Scene& scene :
+         scenes(fmt::format("{{scene: collision, disk: {{points: 20}}, material: {{eta: [0, 1]}}, "
+                            "wall: {{{}}}}}",
+                            wall))) {
+      EXPECT_EQ(can_be_in_lanes(scene), LaneField::knows(compose(scene).field)) << wall;
+    }
+  }
 }
 
 TEST(SideBySide, DoesSoWithStaticSolutions) {

@@ -16,7 +16,9 @@ LABELS = {"impact.velocity": "$v/c$", "material.eta": r"$\eta^*$", "restitution"
           "load.P": "$P$ $(M c^2/R)$", "strain": r"$\xi$ $(R)$", "disk.points": "$N$",
           "contact_duration": "contact duration $(R/c)$", "peak_force": "peak force $(M c^2/R)$",
           "spin_after": "spin after $(c/R)$", "young_modulus": "$E$ $(M c^2/R^2)$",
-          "impact.angle": "angle (degrees)", "wall.a": "$a$ $(1/R)$"}
+          "impact.angle": "angle (degrees)", "impact.spin": r"$\omega$ $(c/R)$",
+          "tangential_restitution": r"$\beta$", "wall.a": "$a$ $(1/R)$",
+          "wall.k_a": "wall's $k_a$ $(M c^2/R^2)$"}
 
 
 def main():
