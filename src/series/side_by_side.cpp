@@ -399,7 +399,8 @@ ResultTexts texts_of(const Experiment& experiment) {
 bool can_be_in_lanes(const Scene& scene) {
   if (scene.is_static()) return true;
   const bool known = scene.wall.kind == WallKind::kPotential || !scene.is_damped();
-  return scene.kind == SceneKind::kCollision && known && !is_adaptive(scene.numerics.integrator);
+  return scene.kind == SceneKind::kCollision && known &&
+         traits_of(scene.numerics.integrator).in_lanes;
 }
 
 std::shared_ptr<const Bodies> make_common_bodies(const std::vector<Scene>& scenes) {

@@ -134,6 +134,16 @@ bool can_have(Scene scene, IntegratorKind integrator) {
   }
 }
 
+IntegratorKind most_exact(const Scene& scene) {
+  IntegratorKind best = IntegratorKind::kVerlet;
+  for (const IntegratorTraits& method : kIntegrators) {
+    if (is_automatic(method, scene.is_damped()) && method.order > order_of(best)) {
+      best = method.kind;
+    }
+  }
+  return best;
+}
+
 double longest_step(Scene scene, IntegratorKind integrator) {
   constexpr double kMargin = 0.96;
   scene.numerics = {};
