@@ -22,7 +22,7 @@ const State& LaneMotion::state() const {
 }
 
 double LaneMotion::kinetic_energy() const {
-  return bundle_ != nullptr ? 0.5 * field_.point_mass * squared_speed_ : Motion::kinetic_energy();
+  return bundle_ != nullptr ? 0.5 * field_.point_mass * squared_speed_ : System::kinetic_energy();
 }
 
 LaneBundle::LaneBundle(const Lattice& lattice, double point_mass, LaneField::Kind kind,

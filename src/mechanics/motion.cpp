@@ -12,7 +12,7 @@ constexpr double kBothEndsMove = 2.0;
 }  // namespace
 
 Motion::Motion(ForceField field, State initial, const Spectrum& spectrum, double step)
-    : field_(std::move(field)), state_(std::move(initial)), spectrum_(spectrum), step_size_(step) {}
+    : System(std::move(field), std::move(initial), step), spectrum_(spectrum) {}
 
 void Motion::limit_step(const WallContact& wall, double approach, const StepBound& bound) {
   const double margin = kWallMargin * (field_.elastic_wall ? kBothEndsMove : 1.0);
@@ -41,17 +41,6 @@ bool Motion::reset_is_due() const {
   if (!field_.velocity_reset) return false;
   const double interval = field_.velocity_reset->interval();
   return ticks_ % static_cast<std::uint64_t>(std::llround(interval / step_size_)) == 0;
-}
-
-double Motion::kinetic_energy() const {
-  return 0.5 * field_.point_mass * state().velocity.square().sum();
-}
-
-double Motion::largest_static_force() const {
-  ForceField field = field_;
-  PointArray force(state().position.rows(), 2);
-  field.evaluate_undamped(state().position, force);
-  return force.abs().maxCoeff();
 }
 
 }  // namespace impact

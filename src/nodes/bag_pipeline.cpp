@@ -5,6 +5,7 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
+#include <cmath>
 #include <exception>
 #include <set>
 #include <stdexcept>
@@ -275,9 +276,11 @@ void BagPipeline::add_result(const lattice_impact::Restitution& restitution) {
   YAML::Node node;
   node["run"] = restitution.run;
   node["complete"] = restitution.complete != 0;
-  node["velocity"] = exact(-restitution.velocity_before);
-  add_impact(restitution, "", node);
-  add_impact(restitution.error, "_error", node);
+  node["velocity"] =
+      exact(std::hypot(restitution.velocity_before, restitution.tangential_velocity_before));
+  const bool slides = !std::isnan(restitution.tangential_restitution);
+  add_impact(restitution, "", slides, node);
+  add_impact(restitution.error, "_error", slides, node);
   node["restitution_of_run"] = exact(restitution.restitution_of_run);
   node["restitution_of_run_error"] = exact(restitution.restitution_of_run_error);
   node["flags"] = flag_list(restitution.flags);

@@ -216,7 +216,7 @@ void SimulationNode::start(const Scene& scene, const Run& run) {
   status_.states = 0;
   status_.scene = to_yaml(scene);
   status_.integrator = name_of(run.integrator());
-  status_.terms = run.motion().field().terms();
+  status_.terms = run.system().field().terms();
 
   send_lattice(Body::kDisk, run.lattice(), run);
   if (run.wall_lattice() != nullptr) send_lattice(Body::kWall, *run.wall_lattice(), run);
@@ -227,7 +227,7 @@ void SimulationNode::send_lattice(Body body, const Lattice& lattice, const Run& 
   message.header.stamp = stamp(run);
   message.run = status_.run;
   message.name = body == Body::kDisk ? "disk" : "wall";
-  message.point_mass = run.motion().field().point_mass;
+  message.point_mass = run.system().field().point_mass;
   if (body == Body::kDisk) checksum_ += checksum_of(message);
   streams_.send(body, message);
 }
@@ -270,7 +270,7 @@ void SimulationNode::send(Body body, const State& state, const ContactReport& re
 void SimulationNode::send_scalars(const Run& run, const ContactReport& report) {
   const State disk = run.disk_state();
   lattice_impact::Scalars message = to_message(body_motion(disk.position, disk.velocity), report,
-                                               run.motion().ledger(), run.energy_error());
+                                               run.system().ledger(), run.energy_error());
   message.header.stamp = stamp(run);
   message.run = status_.run;
   message.sequence = status_.states;
@@ -282,10 +282,10 @@ void SimulationNode::publish_status(const Run& run, std::uint8_t phase, const st
   status_.header.stamp = stamp(run);
   status_.phase = phase;
   status_.progress = ended ? 1.0 : std::min(1.0, run.state().time / run.expected_time());
-  status_.step_size = run.motion().step_size();
+  status_.step_size = run.system().step_size();
   status_.flags = run.flags();
   status_.error = error;
-  status_.energy = to_message(run.motion().ledger(), run.energy_error());
+  status_.energy = to_message(run.system().ledger(), run.energy_error());
   status_.checksum = checksum_with(checksum_, status_);
   streams_.send(status_);
   ++status_.sequence;

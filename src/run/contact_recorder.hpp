@@ -1,7 +1,7 @@
 #pragma once
 
 #include "measure/contact_report.hpp"
-#include "mechanics/motion.hpp"
+#include "mechanics/system.hpp"
 
 namespace impact {
 
@@ -17,13 +17,13 @@ class ContactRecorder {
  public:
   /// A point is listed as in contact when the wall pushes it with more than `contact_force`
   /// (M c²/R).
-  ContactRecorder(const Motion& start, double contact_force);
+  ContactRecorder(const System& start, double contact_force);
 
   /// To be called after every step.
-  void add_step(const Motion& motion);
+  void add_step(const System& system);
 
   /// The reports up to the present step; begins the next ones.
-  ContactReports take(const Motion& motion);
+  ContactReports take(const System& system);
 
  private:
   double contact_force_;

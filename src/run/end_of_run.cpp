@@ -21,21 +21,21 @@ SeparationEnd::SeparationEnd(const Scene& scene, const Composition& composition)
       negligible_fraction_(negligible_fraction(scene)),
       flight_(scene, composition.bodies) {}
 
-bool SeparationEnd::reached(const Motion& motion) {
+bool SeparationEnd::reached(const System& system) {
   // The potential V₀ exp(−a y) is its force over a.
-  const WallContact& wall = *motion.field().contact();
+  const WallContact& wall = *system.field().contact();
   const double energy = wall.total_force().y() / wall.a();
   if (energy > negligible_fraction_ * 0.5 * velocity_before_ * velocity_before_) {
     touched_ = true;
     return false;
   }
-  if (!touched_ || motion.steps() % kLookSteps != 0) return false;
-  const State& state = motion.state();
-  const Eigen::Index disk = state.position.rows() - motion.field().wall_points;
+  if (!touched_ || system.steps() % kLookSteps != 0) return false;
+  const State& state = system.state();
+  const Eigen::Index disk = state.position.rows() - system.field().wall_points;
   const double v = state.velocity.col(1).head(disk).mean();
   time_under_way_ = std::max(
       time_under_way_, kLongestWay / std::max(std::abs(v), kLeastVelocity * velocity_before_));
-  return flight_.is_for_good(motion, negligible_fraction_);
+  return flight_.is_for_good(system, negligible_fraction_);
 }
 
 RestEnd::RestEnd(const Scene& scene, Eigen::Index points, double step)
@@ -44,11 +44,11 @@ RestEnd::RestEnd(const Scene& scene, Eigen::Index points, double step)
           std::max(0.1 * scene.numerics.error * scene.load.p / std::sqrt(scene.material.k_a),
                    4.0 * std::numeric_limits<double>::epsilon() / step)) {}
 
-bool RestEnd::reached(const Motion& motion) {
-  if (motion.time() < next_look_) return false;
+bool RestEnd::reached(const System& system) {
+  if (system.time() < next_look_) return false;
   next_look_ += kLookInterval;
-  return motion.state().velocity.abs().maxCoeff() <= largest_speed_ &&
-         motion.largest_static_force() <= largest_force_;
+  return system.state().velocity.abs().maxCoeff() <= largest_speed_ &&
+         system.largest_static_force() <= largest_force_;
 }
 
 double negligible_static_force(const Scene& scene, Eigen::Index points, double step) {
@@ -70,10 +70,11 @@ double negligible_static_force(const Scene& scene, Eigen::Index points, double s
 
 std::unique_ptr<EndOfRun> end_of_run(const Scene& scene, const Composition& composition,
                                      double step) {
-  if (scene.kind == SceneKind::kContact) {
-    return std::make_unique<RestEnd>(scene, composition.bodies->disk.points.rows(), step);
+  const Eigen::Index points = composition.bodies->disk.points.rows();
+  if (scene.is_static()) {
+    return std::make_unique<StaticEnd>(negligible_static_force(scene, points, step));
   }
-  if (scene.kind == SceneKind::kStretch) return std::make_unique<StaticEnd>();
+  if (scene.kind == SceneKind::kContact) return std::make_unique<RestEnd>(scene, points, step);
   return std::make_unique<SeparationEnd>(scene, composition);
 }
 

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "mechanics/motion.hpp"
+#include "mechanics/system.hpp"
 #include "run/compose.hpp"
 #include "run/free_flight.hpp"
 #include "scene/scene.hpp"
@@ -10,11 +10,11 @@
 namespace impact {
 
 /// Knows when the question of a run is answered. Asked after every step, so that the end does not
-/// depend on the output period.
+/// depend on the output period, or once after a search for the static solution.
 class EndOfRun {
  public:
   virtual ~EndOfRun() = default;
-  virtual bool reached(const Motion& motion) = 0;
+  virtual bool reached(const System& system) = 0;
   /// The flag of a run that is given up before its end is reached.
   virtual const char* flag_if_given_up() const = 0;
   /// Extra time (R/c) that the end may take although the run is going well.
@@ -27,7 +27,7 @@ class EndOfRun {
 class SeparationEnd : public EndOfRun {
  public:
   SeparationEnd(const Scene& scene, const Composition& composition);
-  bool reached(const Motion& motion) override;
+  bool reached(const System& system) override;
   const char* flag_if_given_up() const override { return "not_separated"; }
   /// The time for 10 R at the smallest velocity that the disk had between its touches, or at 10⁻³
   /// of that before.
@@ -47,7 +47,7 @@ class SeparationEnd : public EndOfRun {
 class RestEnd : public EndOfRun {
  public:
   RestEnd(const Scene& scene, Eigen::Index points, double step);
-  bool reached(const Motion& motion) override;
+  bool reached(const System& system) override;
   const char* flag_if_given_up() const override { return "not_at_rest"; }
 
  private:
@@ -56,11 +56,18 @@ class RestEnd : public EndOfRun {
   double next_look_ = 0.0;
 };
 
-/// A static solution ends the run at once.
+/// The static solution is found: no component of the static force on any point exceeds
+/// negligible_static_force().
 class StaticEnd : public EndOfRun {
  public:
-  bool reached(const Motion& /*motion*/) override { return true; }
+  explicit StaticEnd(double largest_force) : largest_force_(largest_force) {}
+  bool reached(const System& system) override {
+    return system.largest_static_force() <= largest_force_;
+  }
   const char* flag_if_given_up() const override { return "not_at_rest"; }
+
+ private:
+  double largest_force_;
 };
 
 /// The largest component of a static force (M c²/R) that counts as none. In a stretch scene

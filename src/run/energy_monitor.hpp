@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "mechanics/motion.hpp"
+#include "mechanics/system.hpp"
 
 namespace impact {
 
@@ -19,11 +19,11 @@ class EnergyMonitor {
 
   /// @throw RunFailure when the total has changed by more than the largest energy so far, or is
   /// not finite.
-  void check(const Motion& motion);
+  void check(const System& system);
 
   /// Whether the kinetic energy alone, which costs little to know, is more than twice the largest
   /// energy so far, or not finite: a reason to check.
-  bool is_alarming(const Motion& motion) const;
+  bool is_alarming(const System& system) const;
 
   /// Largest deviation of the ledger's total from the start, over the largest sum of kinetic, bond
   /// and wall energy of the bodies, of all checks so far.

@@ -39,7 +39,7 @@ double step_of(const Resolution& resolution) {
 /// What is measured when the disk has left for good too: the wall's energy U that is left at the
 /// end of a run still adds U/v′ to the velocity v′ of the disk (M = 1, U ≪ v′²), U to its energy.
 Restitution after_the_tail(const Run& run, Restitution measured) {
-  const double energy = run.motion().field().wall_potential_energy(run.state().position);
+  const double energy = run.system().field().wall_potential_energy(run.state().position);
   const double gain = energy / measured.velocity_after;
   measured.velocity_after += gain;
   measured.restitution = -measured.velocity_after / measured.velocity_before;
@@ -56,15 +56,15 @@ Restitution after_the_tail(const Run& run, Restitution measured) {
 FinishedImpact finished_impact(const Run& run, const Restitution& measured) {
   FinishedImpact impact;
   impact.measured = measured;
-  impact.step = run.motion().step_size();
+  impact.step = run.system().step_size();
   impact.steps = run.state().step;
   impact.time = run.state().time;
   impact.tail_error = run.tail_error();
-  if (const auto& wall = run.motion().field().elastic_wall) {
+  if (const auto& wall = run.system().field().elastic_wall) {
     impact.error_by_hops =
         (wall->hops_size() + wall->turned()) / (measured.velocity_after * measured.velocity_after);
   }
-  impact.step_reduced = run.motion().halvings() > 0;
+  impact.step_reduced = run.system().halvings() > 0;
   impact.not_separated = run.has_flag("not_separated");
   impact.folded = run.has_flag("folded");
   impact.cut_off = run.has_flag("cut_off");

@@ -26,13 +26,10 @@ constexpr double kFlight = 2.0;
 constexpr double kOmegaSquared = 8.0;
 constexpr double kGamma = 12.5;
 
-/// rk8pd takes steps of this over the highest frequency.
-constexpr double kStepOfRk8pd = 3.0;
-constexpr double kCostOfRk8pd = 14.0;
-
-/// bdf reports at intervals, each at this cost, and resolves a radian of the disk's swinging on the
-/// wall at that one.
-constexpr double kCostOfReport = 2.0;
+/// An adaptive method takes steps of this over the highest frequency (rk8pd).
+constexpr double kAdaptiveStep = 3.0;
+/// If it is stiff, its steps are those in which the force of the wall changes: they cost so much a
+/// radian of the disk's swinging on the wall, besides the reports (bdf).
 constexpr double kCostOfRadian = 240.0;
 
 /// The part of expected_time() after which a contact was at rest, for P = 2·10⁻⁴ … 10⁻².
@@ -71,20 +68,21 @@ double rate_of_wall_force(const Scene& scene) {
 
 Work work_of_run(const Scene& scene, const Rates& rates, double time) {
   const IntegratorKind integrator = scene.numerics.integrator;
-  if (integrator == IntegratorKind::kRk8pd) {
+  const bool stiff = traits_of(integrator).stiff;
+  if (is_adaptive(integrator) && !stiff) {
     const double fastest =
         std::sqrt(rates.lattice.omega_squared + rates.wall) + rates.lattice.gamma;
-    return {time * fastest / kStepOfRk8pd, kCostOfRk8pd};
+    return {time * fastest / kAdaptiveStep, cost_of_step(scene, integrator)};
   }
   const Resolution resolution =
       scene.numerics.step
-          ? Resolution{integrator, dividing_resets(scene, *scene.numerics.step), 0.0}
+          ? Resolution{with_given_step(integrator), dividing_resets(scene, *scene.numerics.step)}
           : first_resolution(scene, rates);
-  if (integrator == IntegratorKind::kBdf) {
-    const double radians = resolution.step * rate_of_wall_force(scene);
-    return {time / resolution.step, kCostOfReport + kCostOfRadian * radians};
+  double cost = cost_of_step(scene, resolution.integrator);
+  if (is_adaptive(integrator)) {
+    cost += kCostOfRadian * resolution.step * rate_of_wall_force(scene);
   }
-  return {time / resolution.step, cost_of_step(scene, resolution.integrator)};
+  return {time / resolution.step, cost};
 }
 
 std::string text_of(double seconds) {

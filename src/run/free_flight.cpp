@@ -54,9 +54,9 @@ bool stays_above_turning(const PointArray& reference, const Flight& flight, cons
   return false;
 }
 
-double wall_kinetic_energy(const Motion& motion) {
-  const auto velocity = motion.state().velocity.bottomRows(motion.field().wall_points);
-  return 0.5 * motion.field().point_mass * velocity.square().sum();
+double wall_kinetic_energy(const System& system) {
+  const auto velocity = system.state().velocity.bottomRows(system.field().wall_points);
+  return 0.5 * system.field().point_mass * velocity.square().sum();
 }
 
 }  // namespace
@@ -73,19 +73,19 @@ FreeFlight::FreeFlight(Scene scene, std::shared_ptr<const Bodies> bodies)
       inertia_(reference_.square().sum() / static_cast<double>(reference_.rows())),
       spacing_(std::sqrt(M_PI / static_cast<double>(reference_.rows()))) {}
 
-bool FreeFlight::is_for_good(const Motion& motion, double fraction) {
-  const State& state = motion.state();
+bool FreeFlight::is_for_good(const System& system, double fraction) {
+  const State& state = system.state();
   const Eigen::Index points = reference_.rows();
   const PointArray position = state.position.topRows(points);
   const BodyMotion body = body_motion(position, state.velocity.topRows(points));
   const double v = body.velocity.y();
   if (!(v > 0.0)) return false;
 
-  const EnergyLedger ledger = motion.ledger();
+  const EnergyLedger ledger = system.ledger();
   const InnerMotion inner{ledger.kinetic_rotation + ledger.kinetic_internal + ledger.bonds,
                           body.angular_momentum};
-  const Surface below = surface(motion, ledger.wall_lattice);
-  const WallAbove wall = wall_above(motion, fraction * 0.5 * v * v);
+  const Surface below = surface(system, ledger.wall_lattice);
+  const WallAbove wall = wall_above(system, fraction * 0.5 * v * v);
   const double height = body.centre.y() - below.height;
   const double velocity = v - below.speed;
   const InnerBounds bound = bounds(inner);
@@ -137,21 +137,21 @@ InnerBounds FreeFlight::bounds(const InnerMotion& motion) const {
   return bounds;
 }
 
-FreeFlight::Surface FreeFlight::surface(const Motion& motion, double energy) {
+FreeFlight::Surface FreeFlight::surface(const System& system, double energy) {
   if (!bodies_->wall) return {0.0, 0.0};
   if (scene_.wall.boundary == Boundary::kFixed) {
     return clamped_surface(elongation(energy_margin(energy), scene_.wall_material()));
   }
-  const PointArray position = motion.state().position.bottomRows(motion.field().wall_points);
-  if (wall_rests(motion, energy)) {
-    return free_surface(position, position, 2.0 * wall_kinetic_energy(motion));
+  const PointArray position = system.state().position.bottomRows(system.field().wall_points);
+  if (wall_rests(system, energy)) {
+    return free_surface(position, position, 2.0 * wall_kinetic_energy(system));
   }
   return free_surface(bodies_->wall->lattice.points, position, energy_margin(energy));
 }
 
-bool FreeFlight::wall_rests(const Motion& motion, double energy) {
+bool FreeFlight::wall_rests(const System& system, double energy) {
   constexpr double kAtRest = 1e-6;
-  const bool rested = std::exchange(wall_rested_, wall_kinetic_energy(motion) < kAtRest * energy);
+  const bool rested = std::exchange(wall_rested_, wall_kinetic_energy(system) < kAtRest * energy);
   return rested && wall_rested_;
 }
 
@@ -192,8 +192,8 @@ double FreeFlight::elongation(double energy, const Scene::Material& material) {
   return std::sqrt(2.0 * energy / material.k_a);
 }
 
-WallAbove FreeFlight::wall_above(const Motion& motion, double limit) const {
-  const WallContact& contact = *motion.field().contact();
+WallAbove FreeFlight::wall_above(const System& system, double limit) const {
+  const WallContact& contact = *system.field().contact();
   if (!bodies_->wall)
     return {PotentialWall(contact.a(), contact.potential_at(0.0)), kInfinity, limit};
   return {PotentialWall(kLeastGap * contact.a(), contact.potential_at(0.0)),

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "mechanics/body_motion.hpp"
-#include "mechanics/motion.hpp"
 #include "mechanics/potential_wall.hpp"
+#include "mechanics/system.hpp"
 #include "run/bodies.hpp"
 #include "scene/scene.hpp"
 #include "statics/tethers.hpp"
@@ -85,7 +85,7 @@ class FreeFlight {
 
   /// Whether the wall's energy will stay below this fraction of M V²/2. False if the disk does not
   /// fly away, or if that cannot be shown.
-  bool is_for_good(const Motion& motion, double fraction);
+  bool is_for_good(const System& system, double fraction);
 
   InnerBounds bounds(const InnerMotion& motion) const;
 
@@ -95,14 +95,14 @@ class FreeFlight {
     double height;
     double speed;
   };
-  Surface surface(const Motion& motion, double energy);
+  Surface surface(const System& system, double energy);
   Surface clamped_surface(double elongation) const;
   Surface free_surface(const PointArray& shape, const ConstPoints& position, double energy);
-  bool wall_rests(const Motion& motion, double energy);
+  bool wall_rests(const System& system, double energy);
   static double elongation(double energy, const Scene::Material& material);
   /// How far a point of this body may come out of place (R), X being the elongation.
   double swing(const Flexibility& body, double elongation) const;
-  WallAbove wall_above(const Motion& motion, double limit) const;
+  WallAbove wall_above(const System& system, double limit) const;
 
   Scene scene_;
   std::shared_ptr<const Bodies> bodies_;

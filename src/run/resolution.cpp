@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "lattice/input_error.hpp"
@@ -94,21 +96,15 @@ Resolution fixed_resolution(const Scene& scene, IntegratorKind integrator, const
 }
 
 Resolution automatic_resolution(const Scene& scene, const Rates& rates) {
-  std::vector<IntegratorKind> choice{IntegratorKind::kVerlet};
-  if (scene.is_damped()) {
-    choice.insert(choice.end(),
-                  {IntegratorKind::kImplicitDamping, IntegratorKind::kExtrapolatedDamping});
-  } else {
-    choice.push_back(IntegratorKind::kBlanesMoan);
-  }
   const auto cost = [&](IntegratorKind integrator) {
     return cost_of_step(scene, integrator) / expected_step(scene, integrator, rates);
   };
-  return fixed_resolution(
-      scene,
-      *std::min_element(choice.begin(), choice.end(),
-                        [&](auto first, auto second) { return cost(first) < cost(second); }),
-      rates);
+  std::vector<std::pair<double, IntegratorKind>> choice;
+  for (const auto& method : kIntegrators) {
+    if (!is_automatic(method, scene.is_damped())) continue;
+    choice.emplace_back(cost(method.kind), method.kind);
+  }
+  return fixed_resolution(scene, std::min_element(choice.begin(), choice.end())->second, rates);
 }
 
 double given_step(const Scene& scene, IntegratorKind integrator, const Spectrum& lattice) {
@@ -135,15 +131,21 @@ Scales scales_of(const Scene& scene, double sound_speed) {
 template <class Field>
 std::unique_ptr<FixedStepIntegrator<Field>> make_fixed(IntegratorKind integrator) {
   switch (integrator) {
+    case IntegratorKind::kVerlet:
+      return std::make_unique<BasicVelocityVerlet<Field>>();
     case IntegratorKind::kBlanesMoan:
       return std::make_unique<BasicBlanesMoan<Field>>();
     case IntegratorKind::kImplicitDamping:
       return std::make_unique<BasicImplicitDamping<Field>>();
     case IntegratorKind::kExtrapolatedDamping:
       return std::make_unique<BasicExtrapolatedDamping<Field>>();
-    default:
-      return std::make_unique<BasicVelocityVerlet<Field>>();
+    case IntegratorKind::kAuto:
+    case IntegratorKind::kBdf:
+    case IntegratorKind::kRk8pd:
+    case IntegratorKind::kNewton:
+      break;
   }
+  throw std::logic_error(name_of(integrator) + " is no method of fixed step");
 }
 
 template std::unique_ptr<FixedStepIntegrator<ForceField>> make_fixed(IntegratorKind integrator);
@@ -156,16 +158,8 @@ double dividing_resets(const Scene& scene, double step) {
 }
 
 double cost_of_step(const Scene& scene, IntegratorKind integrator) {
-  switch (integrator) {
-    case IntegratorKind::kBlanesMoan:
-      return 10.5;
-    case IntegratorKind::kExtrapolatedDamping:
-      return 34.0;
-    case IntegratorKind::kImplicitDamping:
-      return 4.3;
-    default:
-      return scene.is_damped() ? 1.5 : 1.0;
-  }
+  const IntegratorTraits& method = traits_of(integrator);
+  return scene.is_damped() ? method.damped_cost : method.cost;
 }
 
 double largest_point_force(const Scene& scene, int points, double sound_speed) {
@@ -196,17 +190,8 @@ double step_limit(IntegratorKind integrator, double omega_squared, double gamma)
   return make_fixed<ForceField>(integrator)->step_limit(omega_squared, gamma);
 }
 
-int order_of(IntegratorKind integrator) {
-  switch (integrator) {
-    case IntegratorKind::kBlanesMoan:
-      return BlanesMoan::kOrder;
-    case IntegratorKind::kExtrapolatedDamping:
-      return ExtrapolatedDamping::kOrder;
-    case IntegratorKind::kImplicitDamping:
-      return ImplicitDamping::kOrder;
-    default:
-      return VelocityVerlet::kOrder;
-  }
+IntegratorKind with_given_step(IntegratorKind integrator) {
+  return integrator == IntegratorKind::kAuto ? IntegratorKind::kVerlet : integrator;
 }
 
 Resolution first_resolution(const Scene& scene, const Rates& rates) {
@@ -218,27 +203,30 @@ Resolution first_resolution(const Scene& scene, const Rates& rates) {
             dividing_resets(scene, comes_to_rest ? kRestReportInterval : kReportInterval),
             scene.numerics.tolerance.value_or(tolerance)};
   }
-  const bool automatic = integrator == IntegratorKind::kAuto;
   if (scene.numerics.step) {
-    const IntegratorKind used = automatic ? IntegratorKind::kVerlet : integrator;
+    const IntegratorKind used = with_given_step(integrator);
     return {used, dividing_resets(scene, given_step(scene, used, rates.lattice))};
   }
-  return automatic ? automatic_resolution(scene, rates)
-                   : fixed_resolution(scene, integrator, rates);
+  return integrator == IntegratorKind::kAuto ? automatic_resolution(scene, rates)
+                                             : fixed_resolution(scene, integrator, rates);
 }
 
 std::optional<Resolution> better_integrator(const Scene& scene, const Resolution& resolution,
                                             double step, const Rates& rates) {
-  const IntegratorKind other =
-      scene.is_damped() ? IntegratorKind::kExtrapolatedDamping : IntegratorKind::kBlanesMoan;
-  if (scene.numerics.integrator != IntegratorKind::kAuto || order_of(resolution.integrator) > 2) {
-    return std::nullopt;
+  if (scene.numerics.integrator != IntegratorKind::kAuto) return std::nullopt;
+  std::optional<Resolution> better;
+  double least_cost = cost_of_step(scene, resolution.integrator) / step;
+  for (const IntegratorTraits& method : kIntegrators) {
+    if (!is_automatic(method, scene.is_damped())) continue;
+    if (method.order <= order_of(resolution.integrator)) continue;
+    Resolution first = fixed_resolution(scene, method.kind, rates);
+    first.lift = resolution.lift;
+    const double cost_of_all = kStepsOfAllRuns * cost_of_step(scene, method.kind) / first.step;
+    if (cost_of_all > least_cost) continue;
+    least_cost = cost_of_all;
+    better = first;
   }
-  Resolution first = fixed_resolution(scene, other, rates);
-  first.lift = resolution.lift;
-  const double cost_of_all = kStepsOfAllRuns * cost_of_step(scene, other) / first.step;
-  if (cost_of_step(scene, resolution.integrator) / step < cost_of_all) return std::nullopt;
-  return first;
+  return better;
 }
 
 std::vector<Resolution> leading_up_to(const Scene& scene, const Resolution& finest) {

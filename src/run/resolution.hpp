@@ -51,12 +51,11 @@ double step_limit(IntegratorKind integrator, double omega_squared, double gamma)
 /// resets.
 double dividing_resets(const Scene& scene, double step);
 
-/// Time of a step of a method of fixed step, in steps of undamped velocity Verlet, as
-/// test/bench/bench_runs.cpp measures it at N = 1099.
-double cost_of_step(const Scene& scene, IntegratorKind integrator);
+/// The method in use where the scene gives a step: `auto` stands for velocity Verlet.
+IntegratorKind with_given_step(IntegratorKind integrator);
 
-/// Order of a method of fixed step.
-int order_of(IntegratorKind integrator);
+/// IntegratorTraits::cost for the forces of the scene.
+double cost_of_step(const Scene& scene, IntegratorKind integrator);
 
 /// Tolerances go with this power of the factor by which steps would be shortened.
 constexpr int kToleranceOrder = 4;
@@ -90,8 +89,8 @@ Resolution first_resolution(const Scene& scene, const Rates& rates);
 /// The runs of a collision that end with this one: it, and those before it, the first one last.
 std::vector<Resolution> leading_up_to(const Scene& scene, const Resolution& finest);
 
-/// The method of order 6 to begin anew with, where `auto` chose one of order 2 which turns out to
-/// need this step (R/c), and the other costs less.
+/// The method of higher order to begin anew with, where `auto` chose one which turns out to need
+/// this step (R/c), and the other costs less.
 std::optional<Resolution> better_integrator(const Scene& scene, const Resolution& resolution,
                                             double step, const Rates& rates);
 
@@ -104,6 +103,7 @@ Resolution finer(const Scene& scene, const Resolution& resolution, double factor
 double round_step_down(double value, double unit);
 
 /// Makes an integrator of fixed step, for one run or for lanes.
+/// @throw std::logic_error for a kind that is none.
 template <class Field>
 std::unique_ptr<FixedStepIntegrator<Field>> make_fixed(IntegratorKind integrator);
 

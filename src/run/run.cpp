@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mechanics/simulation.hpp"
 #include "run/expected_time.hpp"
 #include "run/other_rests.hpp"
 #include "statics/equilibrium_solver.hpp"
@@ -32,49 +33,75 @@ bool is_cut_off(const Scene& scene, const ForceField& field) {
 
 /// Whether contacts that passed from bond to bond, or over the edge of the wall, changed the energy
 /// of the impact by more than a little.
-bool hops_matter(const Scene& scene, const Motion& motion) {
+bool hops_matter(const Scene& scene, const System& system) {
   const double impact_energy = 0.5 * std::pow(scene.impact.normal_velocity(), 2);
-  return motion.field().elastic_wall &&
-         motion.field().elastic_wall->hops_size() > kManyHops * impact_energy;
+  return system.field().elastic_wall &&
+         system.field().elastic_wall->hops_size() > kManyHops * impact_energy;
 }
 
 /// Whether a part of the disk that the wall would push lies beside it.
-bool is_beside_wall(const Scene& scene, const Motion& motion) {
+bool is_beside_wall(const Scene& scene, const System& system) {
   const double impact_energy = 0.5 * std::pow(scene.impact.normal_velocity(), 2);
-  return motion.field().elastic_wall &&
-         motion.field().elastic_wall->energy_beside(motion.state().position) >
+  return system.field().elastic_wall &&
+         system.field().elastic_wall->energy_beside(system.state().position) >
              scene.numerics.error * impact_energy;
 }
 
-std::unique_ptr<Motion> make_motion(const Scene& scene, const Composition& composition,
-                                    const Resolution& resolution) {
-  if (scene.is_static()) return make_search(scene, composition);
-  return std::make_unique<Simulation>(
+/// To the first step at or after the next output time.
+void step_to_output(Simulation& simulation, double period, Run& run,
+                    const std::function<bool()>& stop) {
+  constexpr double kRounding = 1e-6;  // of a period
+  const double target =
+      (std::floor(simulation.time() / period + kRounding) + 1.0 - kRounding) * period;
+  while (!run.finished() && simulation.time() < target) {
+    simulation.step();
+    run.observe_step();
+    if (stop && simulation.steps() % kCheckSteps == 0 && stop()) return;
+  }
+}
+
+DrivenSystem simulated(const Scene& scene, const Composition& composition,
+                       const Resolution& resolution) {
+  auto simulation = std::make_unique<Simulation>(
       composition.field, start_of(composition, resolution), composition.rates.lattice,
       resolution.step, make_integrator(scene, resolution, composition.rates.sound_speed));
+  Simulation& driven = *simulation;
+  return {std::move(simulation),
+          [&driven, period = scene.output.period](Run& run, const auto& stop) {
+            step_to_output(driven, period, run, stop);
+          }};
+}
+
+DrivenSystem solved(const Scene& scene, const Composition& composition) {
+  auto search = make_search(scene, composition);
+  EquilibriumSearch& driven = *search;
+  return {std::move(search), [&driven](Run& run, const auto& stop) {
+            if (solve(driven, stop)) run.observe_solution(driven);
+          }};
 }
 
 }  // namespace
 
 Run::Run(const Scene& scene, const std::shared_ptr<const Composition>& composition,
          const Resolution& resolution)
-    : Run(scene, composition, resolution, make_motion(scene, *composition, resolution)) {}
+    : Run(scene, composition, resolution,
+          scene.is_static() ? solved(scene, *composition)
+                            : simulated(scene, *composition, resolution)) {}
 
 Run::Run(const Scene& scene, std::shared_ptr<const Composition> composition,
-         const Resolution& resolution, std::unique_ptr<Motion> motion)
+         const Resolution& resolution, DrivenSystem driven)
     : scene_(scene),
       composition_(std::move(composition)),
       end_(end_of_run(scene, *composition_, resolution.step)),
-      motion_(std::move(motion)),
-      simulation_(dynamic_cast<Simulation*>(motion_.get())),
-      search_(dynamic_cast<EquilibriumSearch*>(motion_.get())),
-      monitor_(motion_->ledger()),
-      recorder_(*motion_, contact_force(scene)),
+      system_(std::move(driven.system)),
+      drive_(std::move(driven.drive)),
+      monitor_(system_->ledger()),
+      recorder_(*system_, contact_force(scene)),
       flags_(composition_->bodies->flags),
       integrator_(resolution.integrator) {
   if (scene.kind != SceneKind::kCollision) return;
   const double v = scene.impact.normal_velocity();
-  const EnergyLedger ledger = motion_->ledger();
+  const EnergyLedger ledger = system_->ledger();
   wall_energy_before_ = ledger.wall;
   const double relative_energy = 2.0 * ledger.wall / (v * v);
   const double other_motion = ledger.total() - ledger.wall - 0.5 * v * v;
@@ -82,27 +109,11 @@ Run::Run(const Scene& scene, std::shared_ptr<const Composition> composition,
                            ? std::sqrt(1.0 + relative_energy + 2.0 * other_motion / (v * v))
                            : std::sqrt(1.0 + relative_energy);
   if (relative_energy > scene.numerics.error) flags_.emplace_back("starts_in_wall");
-  if (is_cut_off(scene, motion_->field())) flags_.emplace_back("cut_off");
+  if (is_cut_off(scene, system_->field())) flags_.emplace_back("cut_off");
 }
 
 void Run::advance(const std::function<bool()>& stop) {
-  if (search_ != nullptr) {
-    EquilibriumSolver solver;
-    while (!finished_ && !(stop && stop())) {
-      solver.advance({search_});
-      observe_step();
-    }
-    return;
-  }
-  constexpr double kRounding = 1e-6;  // of a period
-  const double period = scene_.output.period;
-  const double target =
-      (std::floor(motion_->time() / period + kRounding) + 1.0 - kRounding) * period;
-  while (!finished_ && motion_->time() < target) {
-    simulation_->step();
-    observe_step();
-    if (stop && motion_->steps() % kCheckSteps == 0 && stop()) return;
-  }
+  if (!finished_) drive_(*this, stop);
 }
 
 bool Run::has_flag(const std::string& flag) const {
@@ -111,19 +122,14 @@ bool Run::has_flag(const std::string& flag) const {
 
 State Run::disk_state() const {
   const Eigen::Index points = lattice().points.rows();
-  return {motion_->time(), motion_->steps(), state().position.topRows(points),
+  return {system_->time(), system_->steps(), state().position.topRows(points),
           state().velocity.topRows(points)};
 }
 
 State Run::wall_state() const {
-  const Eigen::Index points = motion_->field().wall_points;
-  return {motion_->time(), motion_->steps(), state().position.bottomRows(points),
+  const Eigen::Index points = system_->field().wall_points;
+  return {system_->time(), system_->steps(), state().position.bottomRows(points),
           state().velocity.bottomRows(points)};
-}
-
-PointArray Run::correction() const {
-  return search_ != nullptr ? search_->correction()
-                            : equilibrium_correction(motion_->field(), motion_->state());
 }
 
 double Run::tail_error() const {
@@ -132,52 +138,48 @@ double Run::tail_error() const {
   return before / (v * v) + 0.5 * negligible_fraction(scene_);
 }
 
-void Run::observe_search() {
-  if (!search_->finished()) return;
-  if (!search_->found()) give_up_search();
+void Run::observe_step() {
+  recorder_.add_step(*system_);
+  if (system_->halvings() > kMostHalvings) {
+    throw RunFailure("the wall grew too stiff: the step was halved more than 20 times");
+  }
+  if (system_->steps() % kCheckSteps == 0) {
+    look();
+  } else if (system_->steps() % kAlarmSteps == 0 && monitor_.is_alarming(*system_)) {
+    monitor_.check(*system_);
+  }
+  if (end_->reached(*system_)) {
+    end_motion();
+  } else if (system_->time() > kPatience * expected_time() + end_->time_under_way()) {
+    give_up();
+    end_motion();
+  }
+}
+
+/// A static solution, at which the energy that damped motion would lose is not known, has no energy
+/// balance.
+void Run::observe_solution(const EquilibriumSearch& search) {
+  recorder_.add_step(*system_);
+  if (!end_->reached(*system_)) give_up();
   note_folds();
-  if (folded_) flags_.emplace_back("folded");
-  note_other_rests();
-  recorder_.add_step(*motion_);
-  finished_ = true;
+  correction_ = search.correction();
+  finish();
 }
 
 /// E and ν have no error control that looks at flags.
-void Run::give_up_search() {
+void Run::give_up() {
   if (scene_.kind == SceneKind::kStretch) {
     throw RunFailure(
         fmt::format("no state of rest was found: after {} steps a point still feels {:.1e} M c²/R",
-                    motion_->steps(), motion_->largest_static_force()));
+                    system_->steps(), system_->largest_static_force()));
   }
   flags_.emplace_back(end_->flag_if_given_up());
 }
 
-void Run::observe_step() {
-  if (search_ != nullptr) {
-    observe_search();
-    return;
-  }
-  recorder_.add_step(*motion_);
-  if (motion_->halvings() > kMostHalvings) {
-    throw RunFailure("the wall grew too stiff: the step was halved more than 20 times");
-  }
-  if (motion_->steps() % kCheckSteps == 0) {
-    look();
-  } else if (motion_->steps() % kAlarmSteps == 0 && monitor_.is_alarming(*motion_)) {
-    monitor_.check(*motion_);
-  }
-  if (end_->reached(*motion_)) {
-    finish();
-  } else if (motion_->time() > kPatience * expected_time() + end_->time_under_way()) {
-    flags_.emplace_back(end_->flag_if_given_up());
-    finish();
-  }
-}
-
 void Run::look() {
-  monitor_.check(*motion_);
+  monitor_.check(*system_);
   note_folds();
-  beside_wall_ = beside_wall_ || is_beside_wall(scene_, *motion_);
+  beside_wall_ = beside_wall_ || is_beside_wall(scene_, *system_);
 }
 
 void Run::note_other_rests() {
@@ -197,17 +199,24 @@ void Run::note_folds() {
   folded_ = folded_ || bodies.wall_triangles->turned_over(wall) > 0;
 }
 
-void Run::finish() {
-  finished_ = true;
+void Run::end_motion() {
   look();
   if (scene_.numerics.are_given() && monitor_.error() > scene_.numerics.error) {
     flags_.emplace_back("energy_error");
   }
+  if (scene_.kind == SceneKind::kContact) {
+    correction_ = equilibrium_correction(system_->field(), state());
+  }
+  finish();
+}
+
+void Run::finish() {
+  finished_ = true;
   if (folded_) flags_.emplace_back("folded");
   if (beside_wall_) flags_.emplace_back("beside_wall");
-  if (hops_matter(scene_, *motion_)) flags_.emplace_back("hops");
+  if (hops_matter(scene_, *system_)) flags_.emplace_back("hops");
   note_other_rests();
-  if (motion_->halvings() > 0) flags_.emplace_back("step_reduced");
+  if (system_->halvings() > 0) flags_.emplace_back("step_reduced");
 }
 
 std::unique_ptr<EquilibriumSearch> make_search(const Scene& scene, const Composition& composition) {

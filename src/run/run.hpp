@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/simulation.hpp"
+#include "mechanics/system.hpp"
 #include "run/compose.hpp"
 #include "run/contact_recorder.hpp"
 #include "run/end_of_run.hpp"
@@ -15,8 +15,18 @@
 
 namespace impact {
 
+class Run;
+
+/// A system, and what makes it go on under the eyes of a run.
+struct DrivenSystem {
+  std::unique_ptr<const System> system;
+  /// Moves or solves it as Run::advance() says and calls Run::observe_step() or
+  /// Run::observe_solution(). Empty: somebody else does, as in lanes.
+  std::function<void(Run& run, const std::function<bool()>& stop)> drive{};
+};
+
 /// One run of a scene, from output to output until its question is answered (see EndOfRun) or
-/// until it is given up.
+/// until it is given up. It observes a system, whoever moves it.
 class Run {
  public:
   /// A run is given up after this many expected times and EndOfRun::time_under_way().
@@ -29,25 +39,29 @@ class Run {
       : Run(scene, composition, composition->resolution) {}
   Run(const Scene& scene, const std::shared_ptr<const Composition>& composition,
       const Resolution& resolution);
-  /// For a motion with the same resolution, or a search for equilibrium, that the caller advances:
-  /// then observe_step() is called, not advance().
+  /// Of a motion with the same resolution or, if the scene is static, of make_search().
   Run(const Scene& scene, std::shared_ptr<const Composition> composition,
-      const Resolution& resolution, std::unique_ptr<Motion> motion);
+      const Resolution& resolution, DrivenSystem driven);
 
-  /// Goes on to the first step at or after the next output time, or to the end if that comes first,
-  /// or to where `stop`, asked every 64 steps, says true. The output times do not touch the motion.
-  /// Where the answer is static there is no motion: the first call goes to the static solution,
-  /// which is the end, or to where `stop`, asked at each of its steps, says true.
+  /// Of a system that has a drive. Goes on to the first step at or after the next output time, or
+  /// to the end if that comes first, or to where `stop`, asked every 64 steps, says true. The
+  /// output times do not touch the motion. Where the answer is static there is no motion: the first
+  /// call goes to the static solution, which is the end, or to where `stop`, asked at each of its
+  /// steps, says true.
   /// @throw RunFailure when the energy balance breaks, and when a stretched rectangle does not come
   /// to rest.
   void advance(const std::function<bool()>& stop = {});
 
-  /// To be called after each step of a motion that is moved from outside.
+  /// To be called after each step of a motion.
   /// @throw RunFailure as advance().
   void observe_step();
 
+  /// To be called when the search for a static solution has finished.
+  /// @throw RunFailure as advance().
+  void observe_solution(const EquilibriumSearch& search);
+
   /// At the end of a contact, see EquilibriumSearch::correction().
-  PointArray correction() const;
+  const PointArray& correction() const { return correction_; }
 
   bool finished() const { return finished_; }
   const Lattice& lattice() const { return composition_->bodies->disk; }
@@ -55,19 +69,19 @@ class Run {
   const Lattice* wall_lattice() const {
     return composition_->bodies->wall ? &composition_->bodies->wall->lattice : nullptr;
   }
-  const Motion& motion() const { return *motion_; }
+  const System& system() const { return *system_; }
   /// Of all points: the disk's and, after them, those of an elastic wall.
-  const State& state() const { return motion_->state(); }
+  const State& state() const { return system_->state(); }
   State disk_state() const;
   State wall_state() const;
   /// The method in use.
   IntegratorKind integrator() const { return integrator_; }
   double expected_time() const { return composition_->expected_time; }
 
-  ContactReports take_contact_reports() { return recorder_.take(*motion_); }
+  ContactReports take_contact_reports() { return recorder_.take(*system_); }
 
-  /// See EnergyMonitor. Checked every 64 steps, at the end and, once the kinetic energy is
-  /// alarming, every fourth step.
+  /// See EnergyMonitor; 0 of a static solution. Checked every 64 steps, at the end and, once the
+  /// kinetic energy is alarming, every fourth step.
   double energy_error() const { return monitor_.error(); }
 
   /// What a reader should know of the run (doc/results.md). Checks are made every 64 steps and at
@@ -94,23 +108,23 @@ class Run {
   double tail_error() const;
 
  private:
-  void observe_search();
-  void give_up_search();
+  void give_up();
   void look();
   void note_folds();
   void note_other_rests();
+  void end_motion();
   void finish();
 
   Scene scene_;
   std::shared_ptr<const Composition> composition_;
   std::unique_ptr<EndOfRun> end_;
-  std::unique_ptr<Motion> motion_;
-  Simulation* simulation_ = nullptr;     ///< the motion, if it goes on by itself
-  EquilibriumSearch* search_ = nullptr;  ///< the motion, if it is none
+  std::unique_ptr<const System> system_;
+  std::function<void(Run&, const std::function<bool()>&)> drive_;
   EnergyMonitor monitor_;
   ContactRecorder recorder_;
   double wall_energy_before_ = 0.0;
   double restitution_bound_ = 0.0;
+  PointArray correction_;  ///< of a contact, at the end
   std::vector<std::string> flags_;
   IntegratorKind integrator_;
   bool finished_ = false;

@@ -10,8 +10,8 @@
 namespace impact {
 
 PointArray spinning_shape(const Scene& scene, const Bodies& bodies) {
-  constexpr double kNegligible =
-      1e-6;                            // of the centrifugal force at the rim: so little it breathes
+  // Of the centrifugal force at the rim: what is left of it is all that the disk breathes with.
+  constexpr double kNegligible = 1e-6;
   constexpr double kRounding = 1e-14;  // of the bonds' forces, over k_a R
   const PointArray& reference = bodies.disk.points;
   const double mass = 1.0 / static_cast<double>(reference.rows());
@@ -23,8 +23,7 @@ PointArray spinning_shape(const Scene& scene, const Bodies& bodies) {
   EquilibriumSearch search(
       std::move(field), start,
       std::max(kNegligible * mass * spin * spin, kRounding * scene.material.k_a));
-  EquilibriumSolver solver;
-  while (!search.finished()) solver.advance({&search});
+  solve(search);
   if (!search.found()) {
     throw bad_value("impact.spin", fmt::format("{}", spin),
                     "a spin at which this disk holds together");

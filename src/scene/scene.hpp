@@ -7,6 +7,7 @@
 
 #include "lattice/placement.hpp"
 #include "mechanics/elastic_wall.hpp"
+#include "scene/integrators.hpp"
 
 namespace impact {
 
@@ -28,27 +29,6 @@ enum class Boundary {
   kFixed,   ///< points are clamped
   kViscous  ///< dashpots matched to the lattice
 };
-
-enum class IntegratorKind {
-  kAuto,
-  kVerlet,
-  kBlanesMoan,           ///< order 6, for forces that do not depend on velocities
-  kImplicitDamping,      ///< order 2
-  kExtrapolatedDamping,  ///< order 6
-  kBdf,                  ///< SUNDIALS CVODE, for stiff damping
-  kRk8pd,                ///< GSL, the independent reference
-  kNewton                ///< no motion: a static solution
-};
-
-/// Whether a step of a damped lattice solves for its velocities.
-inline bool solves_for_damping(IntegratorKind kind) {
-  return kind == IntegratorKind::kImplicitDamping || kind == IntegratorKind::kExtrapolatedDamping;
-}
-
-/// Whether the integrator chooses its steps by itself, from a tolerance.
-inline bool is_adaptive(IntegratorKind kind) {
-  return kind == IntegratorKind::kBdf || kind == IntegratorKind::kRk8pd;
-}
 
 /// How a disk is turned before it meets the wall.
 enum class Orientation {
@@ -150,7 +130,8 @@ struct Scene {
 
   /// Whether the answer is a static solution, found without motion.
   bool is_static() const {
-    return kind == SceneKind::kStretch || numerics.integrator == IntegratorKind::kNewton ||
+    return kind == SceneKind::kStretch ||
+           traits_of(numerics.integrator).stepping == Stepping::kStatic ||
            (kind == SceneKind::kContact && numerics.integrator == IntegratorKind::kAuto &&
             !numerics.step);
   }

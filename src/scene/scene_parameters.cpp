@@ -1,8 +1,7 @@
 #include "scene/scene_parameters.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -222,6 +221,15 @@ Table task_keys() {
                [](auto& s) -> auto& { return s.stretch.strain; }))};
 }
 
+/// "bdf or rk8pd".
+std::string adaptive_names() {
+  std::vector<std::string> names;
+  for (const IntegratorTraits& method : kIntegrators) {
+    if (is_adaptive(method.kind)) names.emplace_back(method.name);
+  }
+  return fmt::format("{}", fmt::join(names, " or "));
+}
+
 Table numerics_keys() {
   return {choice<Scene, IntegratorKind>(
               "numerics.integrator", integrator_names(),
@@ -235,8 +243,9 @@ Table numerics_keys() {
                              [](auto& s) -> auto& { return s.numerics.step; })),
           only(is_moved, real_or_auto<Scene>(
                              "numerics.tolerance", "-", {1e-14, 1.0},
-                             "relative tolerance of a step of bdf or rk8pd; auto: the largest that "
-                             "gives the answer to within the wanted error",
+                             "relative tolerance of a step of " + adaptive_names() +
+                                 "; auto: the largest that gives the answer to within the wanted "
+                                 "error",
                              [](auto& s) -> auto& { return s.numerics.tolerance; })),
           real<Scene>(
               "numerics.error", "-", {1e-10, 1e-2},
@@ -267,12 +276,13 @@ void check_integrator(const Scene& scene) {
     throw bad_value("numerics.integrator", name_of(kind), allowed);
   };
   if (kind == IntegratorKind::kAuto) return;
-  const bool newton = kind == IntegratorKind::kNewton;
-  if (newton && scene.kind == SceneKind::kCollision) {
+  const IntegratorTraits& method = traits_of(kind);
+  const bool still = method.stepping == Stepping::kStatic;
+  if (still && scene.kind == SceneKind::kCollision) {
     refuse("a method of motion in a collision, not a static solution");
   }
-  if (!newton && scene.kind == SceneKind::kStretch) refuse("auto or newton in a stretch scene");
-  if (kind == IntegratorKind::kBlanesMoan && scene.is_damped()) {
+  if (!still && scene.kind == SceneKind::kStretch) refuse("auto or newton in a stretch scene");
+  if (!method.holds_with_damping && scene.is_damped()) {
     refuse(
         "another one where forces depend on velocities (material.eta above 0 or a viscous "
         "boundary), on which its order does not hold");
@@ -293,7 +303,7 @@ void check_resolution(const Scene& scene) {
   }
   if (numerics.tolerance && !adaptive) {
     throw bad_value("numerics.tolerance", fmt::format("{}", *numerics.tolerance),
-                    "auto unless numerics.integrator is bdf or rk8pd");
+                    "auto unless numerics.integrator is " + adaptive_names());
   }
 }
 
@@ -334,23 +344,16 @@ void check_combination(const Scene& scene) {
 }  // namespace
 
 const std::vector<std::pair<std::string, IntegratorKind>>& integrator_names() {
-  static const std::vector<std::pair<std::string, IntegratorKind>> names{
-      {"auto", IntegratorKind::kAuto},
-      {"verlet", IntegratorKind::kVerlet},
-      {"blanes_moan", IntegratorKind::kBlanesMoan},
-      {"implicit_damping", IntegratorKind::kImplicitDamping},
-      {"extrapolated_damping", IntegratorKind::kExtrapolatedDamping},
-      {"bdf", IntegratorKind::kBdf},
-      {"rk8pd", IntegratorKind::kRk8pd},
-      {"newton", IntegratorKind::kNewton}};
+  static const std::vector<std::pair<std::string, IntegratorKind>> names = [] {
+    std::vector<std::pair<std::string, IntegratorKind>> list;
+    list.reserve(kIntegrators.size());
+    for (const IntegratorTraits& method : kIntegrators) list.emplace_back(method.name, method.kind);
+    return list;
+  }();
   return names;
 }
 
-std::string name_of(IntegratorKind kind) {
-  const auto& names = integrator_names();
-  return std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.second == kind; })
-      ->first;
-}
+std::string name_of(IntegratorKind kind) { return traits_of(kind).name; }
 
 const std::vector<Parameter<Scene>>& scene_parameters() {
   static const std::vector<Parameter<Scene>> table = make_table();

@@ -15,9 +15,9 @@ using Assignment = std::pair<std::string, std::string>;
 Assignment parse_assignment(const std::string& text, const std::string& form = "key=value");
 
 /// The assignments with their keys in full: `velocity` is `impact.velocity` where no other key of
-/// such a scene ends so; `k_a`, `k_b` and `eta` are the material's. The scene is that of `keys`, in which assignments may change `scene` and
-/// `wall.type`, on which its keys depend; a value may be a list `v1,v2,…`. A key that the scene
-/// does not have stays as it is.
+/// such a scene ends so; `k_a`, `k_b` and `eta` are the material's. The scene is that of `keys`, in
+/// which assignments may change `scene` and `wall.type`, on which its keys depend; a value may be a
+/// list `v1,v2,…`. A key that the scene does not have stays as it is.
 /// @throw InputError for a short key that more than one key ends in.
 std::vector<Assignment> with_full_keys(FlatTree keys, std::vector<Assignment> assignments);
 

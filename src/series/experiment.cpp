@@ -19,7 +19,7 @@ Quantity number(std::string key, Number value) {
 
 /// A term of the energy ledger at the end.
 Quantity energy(std::string key, double EnergyLedger::*term) {
-  return number(std::move(key), [term](const auto& e) { return e.run().motion().ledger().*term; });
+  return number(std::move(key), [term](const auto& e) { return e.run().system().ledger().*term; });
 }
 
 std::vector<Quantity> impact_quantities(const Scene& scene) {
@@ -60,15 +60,15 @@ std::vector<Quantity> contact_quantities(const Scene& scene) {
   list.push_back(
       number("strain_from_radius", [](const auto& e) { return e.strain().strain_from_radius(); }));
   list.push_back(number("wall_force", [](const auto& e) {
-    return e.run().motion().field().wall->total_force().y();
+    return e.run().system().field().wall->total_force().y();
   }));
   list.push_back(number("rotation", [](const auto& e) { return e.strain().rotation; }));
   if (scene.load.hold_rotation) {
     list.push_back(number("hold_torque",
-                          [](const auto& e) { return e.run().motion().field().hold->torque(); }));
+                          [](const auto& e) { return e.run().system().field().hold->torque(); }));
   }
   list.push_back(number("largest_static_force",
-                        [](const auto& e) { return e.run().motion().largest_static_force(); }));
+                        [](const auto& e) { return e.run().system().largest_static_force(); }));
   return list;
 }
 
@@ -83,7 +83,7 @@ std::vector<Quantity> stretch_quantities() {
   }));
   list.push_back(number("grip_modulus", [](const auto& e) { return e.grip_modulus(); }));
   list.push_back(number("largest_static_force",
-                        [](const auto& e) { return e.run().motion().largest_static_force(); }));
+                        [](const auto& e) { return e.run().system().largest_static_force(); }));
   return list;
 }
 
@@ -94,7 +94,7 @@ std::vector<Quantity> run_quantities() {
   list.push_back(number("estimated_error", [](const auto& e) { return e.estimated_error(); }));
   list.push_back(
       {"integrator", [](const auto& e) { return YAML::Node(name_of(e.run().integrator())); }});
-  list.push_back(number("step", [](const auto& e) { return e.run().motion().step_size(); }));
+  list.push_back(number("step", [](const auto& e) { return e.run().system().step_size(); }));
   list.push_back({"steps", [](const auto& e) { return YAML::Node(e.run().state().step); }});
   list.push_back(number("wall_time", [](const auto& e) { return e.wall_time(); }));
   list.push_back({"flags", [](const auto& e) { return flag_list(e.run().flags()); }});
@@ -102,6 +102,15 @@ std::vector<Quantity> run_quantities() {
 }
 
 }  // namespace
+
+Experiment::Experiment(const Scene& scene, const std::shared_ptr<const Composition>& composition,
+                       History* history)
+    : Experiment(
+          scene, composition,
+          [scene, composition](const Resolution& resolution) {
+            return Run(scene, composition, resolution);
+          },
+          history) {}
 
 Experiment::Experiment(const Scene& scene, std::shared_ptr<const Composition> composition,
                        MakeRun make_run, History* history)
@@ -117,38 +126,37 @@ Experiment::Experiment(const Scene& scene, std::shared_ptr<const Composition> co
 void Experiment::start_run() {
   analysis_ = {};
   ++runs_;
-  if (make_run_) {
-    run_.emplace(make_run_(control_.resolution()));
-    const State start = start_of(*composition_, control_.resolution());
-    const Eigen::Index disk = composition_->bodies->disk.points.rows();
-    analysis_.add(State{0.0, 0, start.position.topRows(disk), start.velocity.topRows(disk)});
-    return;
-  }
-  run_.emplace(scene_, composition_, control_.resolution());
-  if (history_ != nullptr) history_->start();
+  run_.emplace(make_run_(control_.resolution()));
+  const State start = start_of(*composition_, control_.resolution());
+  const Eigen::Index disk = composition_->bodies->disk.points.rows();
+  analysis_.add(State{0.0, 0, start.position.topRows(disk), start.velocity.topRows(disk)});
+  if (history_ == nullptr) return;
+  history_->start();
   take_in();
 }
 
 void Experiment::advance(const std::function<bool()>& stop) {
-  try {
-    run_->advance(stop);
-  } catch (const RunFailure& failure) {
-    control_.take_failure(failure);
-    start_run();
-    return;
-  }
-  if (history_ != nullptr || run_->finished()) take_in();
-  if (run_->finished()) end_run();
+  go_on([&] { run_->advance(stop); });
 }
 
 void Experiment::observe_step() {
+  go_on([&] { run_->observe_step(); });
+}
+
+void Experiment::observe_solution(const EquilibriumSearch& search) {
+  go_on([&] { run_->observe_solution(search); });
+}
+
+template <class Move>
+void Experiment::go_on(const Move& move) {
   try {
-    run_->observe_step();
+    move();
   } catch (const RunFailure& failure) {
     control_.take_failure(failure);
     start_run();
     return;
   }
+  if (history_ != nullptr && !run_->finished()) take_in();
   while (run_->finished() && !finished_) {
     take_in();
     end_run();

@@ -25,13 +25,12 @@ class Experiment {
   explicit Experiment(const Scene& scene, History* history = nullptr)
       : Experiment(scene, compose_shared(scene), history) {}
   /// `composition`: of the scene.
-  Experiment(const Scene& scene, std::shared_ptr<const Composition> composition,
-             History* history = nullptr)
-      : Experiment(scene, std::move(composition), {}, history) {}
+  Experiment(const Scene& scene, const std::shared_ptr<const Composition>& composition,
+             History* history = nullptr);
 
   using MakeRun = std::function<Run(const Resolution&)>;
-  /// Of runs that are moved from outside: then observe_step() is called, not advance(). They may
-  /// have gone on before they are asked for.
+  /// Of runs that are moved from outside: then observe_step() or observe_solution() is called, not
+  /// advance(). They may have gone on before they are asked for.
   Experiment(const Scene& scene, std::shared_ptr<const Composition> composition, MakeRun make_run)
       : Experiment(scene, std::move(composition), std::move(make_run), nullptr) {}
 
@@ -43,6 +42,9 @@ class Experiment {
   /// not accurate enough, asks for the next one.
   /// @throw RunFailure as advance().
   void observe_step();
+  /// To be called when the search for a static solution, which is done outside, has finished.
+  /// @throw RunFailure as advance().
+  void observe_solution(const EquilibriumSearch& search);
   bool finished() const { return finished_; }
   /// See ErrorControl.
   std::vector<Resolution> later_resolutions() const { return control_.later_resolutions(); }
@@ -79,6 +81,9 @@ class Experiment {
              History* history);
 
   void start_run();
+  /// Takes in what `move` does to the run.
+  template <class Move>
+  void go_on(const Move& move);
   void end_run();
   void take_in();
   BondLaw law() const;
@@ -86,7 +91,7 @@ class Experiment {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Scene scene_;
   std::shared_ptr<const Composition> composition_;
-  MakeRun make_run_;  ///< empty: the runs go on by themselves
+  MakeRun make_run_;
   ErrorControl control_;
   std::optional<Run> run_;
   int runs_ = 0;

@@ -14,7 +14,7 @@ constexpr const char* kHeader =
     "dissipated [M c^2],wall lattice [M c^2],absorbed [M c^2],hops [M c^2]\n";
 
 std::string csv_line(const Run& run, const Strain& strain, double force) {
-  const EnergyLedger ledger = run.motion().ledger();
+  const EnergyLedger ledger = run.system().ledger();
   const Eigen::Array2d velocity = run.disk_state().velocity.colwise().mean();
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", run.state().time,
                      strain.strain(), force, velocity.x(), velocity.y(), ledger.kinetic_translation,

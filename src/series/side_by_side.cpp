@@ -141,7 +141,8 @@ class SideBySide {
       for (std::size_t lane = 0; lane < searches.size(); ++lane) {
         if (in_lanes[lane] == nullptr) continue;
         in_lanes[lane]->wall_time += time;
-        if (observe_search(*in_lanes[lane])) continue;
+        if (!searches[lane]->finished()) continue;
+        conclude_search(*in_lanes[lane]);
         in_lanes[lane] = nullptr;
         searches[lane] = nullptr;
       }
@@ -156,23 +157,20 @@ class SideBySide {
           const Scene& scene = scenes_[candidate.place];
           auto search = make_search(scene, *candidate.composition);
           candidate.search = search.get();
-          return Run(scene, candidate.composition, resolution, std::move(search));
+          return Run(scene, candidate.composition, resolution, {std::move(search)});
         });
     return candidate.search;
   }
 
-  /// Observes the step that was made. False when it was the last one.
-  bool observe_search(Candidate& candidate) {
+  void conclude_search(Candidate& candidate) {
     const auto begin = Clock::now();
     try {
-      candidate.experiment->observe_step();
-      if (!candidate.experiment->finished()) return true;
+      candidate.experiment->observe_solution(*candidate.search);
     } catch (const RunFailure& failure) {
       candidate.failure = failure.what();
     }
     candidate.wall_time += seconds_since(begin);
     conclude(candidate);
-    return false;
   }
 
   /// False when told to stop.
@@ -245,7 +243,7 @@ class SideBySide {
     auto motion = std::make_unique<LaneMotion>(composition.field, start_of(composition, resolution),
                                                composition.rates.lattice, resolution.step);
     LaneMotion* const in_lane = motion.get();
-    Run run(scenes_[candidate.place], candidate.composition, resolution, std::move(motion));
+    Run run(scenes_[candidate.place], candidate.composition, resolution, {std::move(motion)});
     candidate.lane_runs.push_back({&candidate, resolution, in_lane, std::move(run)});
     wait(candidate.lane_runs.back());
     return candidate.lane_runs.back();
@@ -400,7 +398,8 @@ bool can_be_in_lanes(const Scene& scene) {
   if (scene.is_static()) return true;
   const bool known = scene.wall.kind == WallKind::kPotential ||
                      (!scene.is_damped() && !scene.has_own_wall_material());
-  return scene.kind == SceneKind::kCollision && known && !is_adaptive(scene.numerics.integrator);
+  return scene.kind == SceneKind::kCollision && known &&
+         traits_of(scene.numerics.integrator).in_lanes;
 }
 
 std::shared_ptr<const Bodies> make_common_bodies(const std::vector<Scene>& scenes) {

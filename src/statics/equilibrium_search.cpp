@@ -22,7 +22,7 @@ constexpr int kMostShifts = 8;  // each ten times the one before
 }  // namespace
 
 EquilibriumSearch::EquilibriumSearch(ForceField field, State initial, double tolerance)
-    : Motion(std::move(field), std::move(initial), Spectrum{}, 1.0),
+    : System(std::move(field), std::move(initial), 1.0),
       tolerance_(tolerance),
       force_(state_.position.rows(), 2),
       largest_force_(evaluate()),
@@ -75,7 +75,8 @@ void EquilibriumSearch::go(const PointArray& step) {
     finished_ = true;
     return;
   }
-  count_step({});
+  ++state_.step;
+  state_.time += step_size();
   const bool advanced = line_search(step);
   ends_ = !advanced || found() || steps() == kMostIterations;
 }
@@ -106,8 +107,7 @@ bool EquilibriumSearch::line_search(const PointArray& step) {
 
 PointArray equilibrium_correction(const ForceField& field, const State& state) {
   EquilibriumSearch search(field, state, std::numeric_limits<double>::infinity());
-  EquilibriumSolver solver;
-  while (!search.finished()) solver.advance({&search});
+  solve(search);
   return search.correction();
 }
 

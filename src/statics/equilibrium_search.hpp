@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "mechanics/motion.hpp"
+#include "mechanics/system.hpp"
 
 namespace impact {
 
@@ -18,7 +18,7 @@ namespace impact {
 /// backtracking line search on the energy keeps the search on its way down, and no point moves by
 /// more than a few ranges 1/a of the wall in one step. Where K is not positive in the directions
 /// that are free, a multiple of the unit matrix is added.
-class EquilibriumSearch : public Motion {
+class EquilibriumSearch : public System {
  public:
   using Vector = Eigen::VectorXd;
 

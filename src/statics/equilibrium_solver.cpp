@@ -47,7 +47,7 @@ void BasicEquilibriumSolver<Scalar>::advance(const Searches& searches) {
   }
   if (going.empty()) return;
   for (const Place& place : going) {
-    if (place.search->needs_stiffness()) set_stiffness(place);
+    if (place.search->needs_stiffness() || places_.empty()) set_stiffness(place);
   }
   factorise(going);
   solve(going);
@@ -143,6 +143,15 @@ void BasicEquilibriumSolver<Scalar>::take(const std::vector<Place>& going) {
   for (const auto& [lane, search] : going) {
     search->take(of_lane(solution_, lane), of_lane(response_, lane), largest_diagonal(lane));
   }
+}
+
+bool solve(EquilibriumSearch& search, const std::function<bool()>& stop) {
+  EquilibriumSolver solver;
+  while (!search.finished()) {
+    if (stop && stop()) return false;
+    solver.advance({&search});
+  }
+  return true;
 }
 
 template class BasicEquilibriumSolver<double>;

@@ -4,6 +4,7 @@
 #include <Eigen/SparseCore>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <type_traits>
 #include <vector>
 
@@ -57,6 +58,10 @@ class BasicEquilibriumSolver {
 
 using EquilibriumSolver = BasicEquilibriumSolver<double>;
 using LaneEquilibriumSolver = BasicEquilibriumSolver<LaneScalar>;
+
+/// Takes a search to its end. False when told to stop before it, which is asked before every
+/// iteration; the search can be gone on with.
+bool solve(EquilibriumSearch& search, const std::function<bool()>& stop = {});
 
 extern template class BasicEquilibriumSolver<double>;
 extern template class BasicEquilibriumSolver<LaneScalar>;

@@ -41,7 +41,7 @@ class Work {
     }
     done_ = before_ + static_cast<double>(run.state().step);
     const double time = run.expected_time();
-    total_ = before_ + time / run.motion().step_size();
+    total_ = before_ + time / run.system().step_size();
     for (const Resolution& later : experiment.later_resolutions()) total_ += time / later.step;
   }
 
@@ -108,7 +108,7 @@ struct Output {
 
 void write_result(const Experiment& experiment, const std::string& result, const History& history,
                   ResultFiles& files) {
-  const double mass = experiment.run().motion().field().point_mass;
+  const double mass = experiment.run().system().field().point_mass;
   write_file(files.beside("result.yaml"), result);
   write_file(files.beside("scene.yaml"), to_yaml(experiment.scene()));
   write_file(files.beside("history.csv"), history.csv());
@@ -151,7 +151,7 @@ std::string account(const Experiment& experiment) {
           ? ""
           : fmt::format(", the last of {} runs that show the error", experiment.runs());
   return fmt::format("  by {}: {} steps of {:.3g} R/c{}, {}\n", method, run.state().step,
-                     run.motion().step_size(), runs, time);
+                     run.system().step_size(), runs, time);
 }
 
 std::string text_of(const Experiment& experiment, const YAML::Node& result,

@@ -26,7 +26,7 @@ constexpr double kFactor = 100.0;
 class WorkMeter {
  public:
   void look(const Run& run) {
-    const std::uint64_t evaluations = run.motion().field().evaluations;
+    const std::uint64_t evaluations = run.system().field().evaluations;
     const std::uint64_t more = evaluations < last_ ? evaluations : evaluations - last_;
     last_ = evaluations;
     work_ += static_cast<double>(more) * static_cast<double>(run.state().position.rows());
@@ -68,7 +68,7 @@ AccuracyTrial try_scene(const Scene& scene) {
     Experiment experiment(scene);
     perform(experiment);
     trial.integrator = name_of(experiment.run().integrator());
-    trial.step = experiment.run().motion().step_size();
+    trial.step = experiment.run().system().step_size();
     trial.answer = experiment.answer();
     trial.estimated_error = experiment.estimated_error();
     trial.wall_time = experiment.wall_time();

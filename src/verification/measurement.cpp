@@ -22,8 +22,8 @@ using Stop = std::function<bool()>;
 void take_run(const Run& run, Outcome& outcome) {
   outcome.position = run.disk_state().position;
   outcome.energy_error = run.energy_error();
-  outcome.evaluations = static_cast<double>(run.motion().field().evaluations);
-  outcome.step = run.motion().step_size();
+  outcome.evaluations = static_cast<double>(run.system().field().evaluations);
+  outcome.step = run.system().step_size();
   outcome.integrator = run.integrator();
   outcome.flags = fmt::format("{}", fmt::join(run.flags(), ";"));
 }
@@ -37,7 +37,7 @@ Outcome run_to_time(const Scene& scene, const Stop& stop) {
   Run run(scene);
   run.advance(stop);
   throw_if(stop);
-  if (run.motion().halvings() > 0) throw RunFailure("the wall is too stiff for this step");
+  if (run.system().halvings() > 0) throw RunFailure("the wall is too stiff for this step");
   Outcome outcome;
   take_run(run, outcome);
   outcome.answer = run.disk_state().velocity.col(1).mean() / scene.impact.normal_velocity();
@@ -132,6 +132,16 @@ bool can_have(Scene scene, IntegratorKind integrator) {
   } catch (const InputError&) {
     return false;
   }
+}
+
+IntegratorKind most_exact(const Scene& scene) {
+  IntegratorKind best = IntegratorKind::kVerlet;
+  for (const IntegratorTraits& method : kIntegrators) {
+    if (is_automatic(method, scene.is_damped()) && method.order > order_of(best)) {
+      best = method.kind;
+    }
+  }
+  return best;
 }
 
 double longest_step(Scene scene, IntegratorKind integrator) {

@@ -83,6 +83,9 @@ Outcome outcome_of(const Scene& scene, Until until);
 /// Whether the scene may have this integrator.
 bool can_have(Scene scene, IntegratorKind integrator);
 
+/// Of the methods that `auto` may choose for the scene, the one of highest order.
+IntegratorKind most_exact(const Scene& scene);
+
 /// Largest stable step that a run of the scene with this integrator may be given (R/c), the wall at
 /// its expected stiffest counted.
 double longest_step(Scene scene, IntegratorKind integrator);

@@ -138,8 +138,7 @@ ReferenceAnswer impact_reference(const Scene& scene) {
 
 PointArray rest_by_newton(const Composition& composition, double tolerance) {
   EquilibriumSearch search(composition.field, composition.initial, tolerance);
-  EquilibriumSolver solver;
-  while (!search.finished()) solver.advance({&search});
+  solve(search);
   return search.state().position;
 }
 

@@ -119,8 +119,7 @@ Reference collision_reference(Scene scene) {
   constexpr double kTolerance = 1e-13;
   Scene::Numerics& numerics = scene.numerics;
   numerics.error = kLeastError;
-  numerics.integrator =
-      scene.is_damped() ? IntegratorKind::kExtrapolatedDamping : IntegratorKind::kBlanesMoan;
+  numerics.integrator = most_exact(scene);
   const double longest = longest_step(scene, numerics.integrator);
   numerics.step = 0.5 * longest;
   const double end = common_end(scene);

@@ -54,8 +54,7 @@ std::vector<Scene> scenes_of(const Comparison& comparison, bool quick) {
 /// e by a method of order 6 in short steps.
 double reference_of(Scene scene) {
   constexpr double kShorter = 8.0;
-  scene.numerics.integrator =
-      scene.is_damped() ? IntegratorKind::kExtrapolatedDamping : IntegratorKind::kBlanesMoan;
+  scene.numerics.integrator = most_exact(scene);
   scene.numerics.step = longest_step(scene, scene.numerics.integrator) / kShorter;
   return outcome_of(scene, Until::kAnswer).answer;
 }

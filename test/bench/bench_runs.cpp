@@ -158,7 +158,7 @@ void run(benchmark::State& state) {
   for (auto _ : state) {
     Run run(scene, start);
     while (!run.finished()) run.advance();
-    evaluations += static_cast<double>(run.motion().field().evaluations);
+    evaluations += static_cast<double>(run.system().field().evaluations);
   }
   state.counters["bonds/s"] = in_all(evaluations * bonds_of(scene));
 }

@@ -50,7 +50,7 @@ inline std::vector<Message> messages_of(const Scene& scene, std::uint32_t number
   const auto status = [&](std::uint32_t states, std::uint8_t phase) {
     lattice_impact::RunStatus message = status_of(scene, number, states, phase);
     message.integrator = name_of(run.integrator());
-    message.step_size = run.motion().step_size();
+    message.step_size = run.system().step_size();
     return message;
   };
   messages.emplace_back(status(0, lattice_impact::RunStatus::RUNNING));

@@ -46,8 +46,7 @@ TEST(PreciseStrain, AgreesWithTheEquilibriumSearch) {
   State start{0.0, 0, lattice.points, PointArray::Zero(20, 2)};
   start.position.col(1) += wall.gap_of_force(load);
   EquilibriumSearch search(field, start, 1e-15);
-  EquilibriumSolver solver;
-  while (!search.finished()) solver.advance({&search});
+  solve(search);
 
   const PointArray& rest = search.state().position;
   const double found = rest.col(1).minCoeff() - rest.col(1).mean() -

@@ -9,6 +9,7 @@
 
 #include "mechanics/simulation.hpp"
 #include "run/run.hpp"
+#include "statics/equilibrium_solver.hpp"
 
 namespace impact {
 namespace {
@@ -197,6 +198,18 @@ TEST(RestEnd, IsReachedOnlyAtRest) {
   }
   EXPECT_LE(simulation.largest_static_force(), 1e-5 * 0.01 / 60);
   EXPECT_LE(simulation.state().velocity.abs().maxCoeff(), 1e-5 * 0.01);
+}
+
+TEST(StaticEnd, IsReachedOnlyAtRest) {
+  Scene scene;
+  scene.kind = SceneKind::kContact;
+  scene.disk.recipe.points = 60;
+  const Composition composition = compose(scene);
+  const auto end = end_of_run(scene, composition, composition.resolution.step);
+  EquilibriumSearch search(composition.field, composition.initial, 1e-5 * scene.load.p / 60);
+  EXPECT_FALSE(end->reached(search));
+  ASSERT_TRUE(solve(search));
+  EXPECT_TRUE(end->reached(search));
 }
 
 }  // namespace

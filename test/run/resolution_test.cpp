@@ -3,9 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "expect_input_error.hpp"
+#include "mechanics/blanes_moan.hpp"
+#include "mechanics/extrapolated_damping.hpp"
+#include "mechanics/implicit_damping.hpp"
 #include "mechanics/potential_wall.hpp"
+#include "mechanics/velocity_verlet.hpp"
 
 namespace impact {
 namespace {
@@ -26,6 +31,56 @@ Scene scene_with(IntegratorKind integrator, double velocity, double eta) {
   scene.impact.velocity = velocity;
   scene.material.eta = eta;
   return scene;
+}
+
+/// The order that a method has, by its class; 0 where it has no fixed step. The compiler asks for
+/// an integrator that is missing here.
+int order_by_class(IntegratorKind integrator) {
+  switch (integrator) {
+    case IntegratorKind::kVerlet:
+      return VelocityVerlet::kOrder;
+    case IntegratorKind::kBlanesMoan:
+      return BlanesMoan::kOrder;
+    case IntegratorKind::kImplicitDamping:
+      return ImplicitDamping::kOrder;
+    case IntegratorKind::kExtrapolatedDamping:
+      return ExtrapolatedDamping::kOrder;
+    case IntegratorKind::kAuto:
+    case IntegratorKind::kBdf:
+    case IntegratorKind::kRk8pd:
+    case IntegratorKind::kNewton:
+      break;
+  }
+  return 0;
+}
+
+TEST(Integrators, HaveTheOrderOfTheirClass) {
+  for (const IntegratorTraits& method : kIntegrators) {
+    EXPECT_EQ(method.order, order_by_class(method.kind)) << method.name;
+    EXPECT_EQ(method.order > 0, method.stepping == Stepping::kFixed) << method.name;
+  }
+}
+
+/// Of those of fixed step, that the step of a damped lattice is not limited by its damping.
+TEST(Integrators, AreStiffIfDampingDoesNotLimitTheirStep) {
+  for (const IntegratorTraits& method : kIntegrators) {
+    if (method.stepping != Stepping::kFixed || !method.holds_with_damping) continue;
+    const double undamped = step_limit(method.kind, 1.0, 0.0);
+    EXPECT_EQ(method.stiff, step_limit(method.kind, 1.0, 1e6) > 0.5 * undamped) << method.name;
+  }
+}
+
+/// Those that are made, and no others, are of fixed step; lanes have all of them.
+TEST(Integrators, OfFixedStepAreMade) {
+  for (const IntegratorTraits& method : kIntegrators) {
+    if (method.stepping == Stepping::kFixed) {
+      EXPECT_NE(make_fixed<ForceField>(method.kind), nullptr) << method.name;
+      EXPECT_NE(make_fixed<LaneField>(method.kind), nullptr) << method.name;
+      EXPECT_TRUE(method.in_lanes) << method.name;
+    } else {
+      EXPECT_THROW(make_fixed<ForceField>(method.kind), std::logic_error) << method.name;
+    }
+  }
 }
 
 TEST(RoundStepDown, FindsMultiplesAndWholeParts) {

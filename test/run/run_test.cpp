@@ -4,15 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "measure/elastic_constants.hpp"
 #include "measure/impact_analysis.hpp"
 #include "measure/sound_answer.hpp"
 #include "measure/strain.hpp"
+#include "mechanics/simulation.hpp"
 #include "run/error_control.hpp"
+#include "statics/equilibrium_solver.hpp"
 
 namespace impact {
 namespace {
@@ -150,7 +154,7 @@ TEST(Collision, StatesFollowTheOutputTimes) {
   for (int k = 1; k <= 50; ++k) {
     run.advance();
     EXPECT_GE(run.state().time, 0.017 * k - 1e-12);
-    EXPECT_LT(run.state().time, 0.017 * k + run.motion().step_size());
+    EXPECT_LT(run.state().time, 0.017 * k + run.system().step_size());
   }
 }
 
@@ -222,7 +226,7 @@ TEST(Collision, ThatNeverEndsIsGivenUpWithAFlag) {
 TEST(Collision, KnowsTheErrorOfTheTail) {
   Scene scene;
   impact::Run run(scene);
-  const double before = run.motion().ledger().wall;
+  const double before = run.system().ledger().wall;
   ASSERT_GT(before, 0.0);
   const double v = finish(run).velocity_after;
   EXPECT_NEAR(run.tail_error(), before / (v * v) + 0.005 * scene.numerics.error, 1e-15);
@@ -247,7 +251,7 @@ double compression_at_rest(const Scene& scene) {
   while (!run.finished()) run.advance();
   EXPECT_TRUE(run.flags().empty());
   // Rest means no static force above 10⁻⁵ P/N on any of the N points: 10⁻⁵ P in all.
-  EXPECT_NEAR(run.motion().field().wall->total_force().y() / scene.load.p, 1.0, 1e-5);
+  EXPECT_NEAR(run.system().field().wall->total_force().y() / scene.load.p, 1.0, 1e-5);
   const Strain strain = StrainMeter(run.lattice().points).measure(run.state().position);
   EXPECT_NEAR(strain.rotation, 0.0, 1e-12);
   EXPECT_LT(run.energy_error(), 1e-3);
@@ -318,6 +322,90 @@ TEST(Contact, CompressionAtRestDoesNotDependOnTheStep) {
   };
   // At rest the integrator has no say: what is left is the rest criterion's 10⁻⁵.
   EXPECT_NEAR(strain(5e-4) / strain(2.5e-4), 1.0, 1e-5);
+}
+
+void expect_same(Run& run, Run& expected) {
+  EXPECT_TRUE(run.finished());
+  EXPECT_TRUE(expected.finished());
+  EXPECT_EQ(run.state().step, expected.state().step);
+  EXPECT_EQ(run.state().time, expected.state().time);
+  EXPECT_TRUE((run.state().position == expected.state().position).all());
+  EXPECT_TRUE((run.state().velocity == expected.state().velocity).all());
+  EXPECT_EQ(run.flags(), expected.flags());
+  EXPECT_EQ(run.energy_error(), expected.energy_error());
+  EXPECT_EQ(run.correction().rows(), expected.correction().rows());
+  EXPECT_TRUE((run.correction() == expected.correction()).all());
+  const ContactReport report = run.take_contact_reports().on_disk;
+  const ContactReport expected_report = expected.take_contact_reports().on_disk;
+  EXPECT_EQ(report.impulse, expected_report.impulse);
+  EXPECT_EQ(report.peak_force, expected_report.peak_force);
+  EXPECT_EQ(report.samples.size(), expected_report.samples.size());
+}
+
+/// A run observes; who moves its system makes no difference.
+TEST(Run, IsTheSameWhoeverMovesIt) {
+  Scene impact;
+  impact.disk.recipe.points = 100;
+  Scene contact = contact_scene(0.01);
+  contact.disk.recipe.points = 60;
+  contact.numerics.integrator = IntegratorKind::kVerlet;
+  for (const Scene& scene : {impact, contact}) {
+    const auto start = compose_shared(scene);
+    auto simulation = std::make_unique<Simulation>(
+        start->field, start->initial, start->rates.lattice, start->resolution.step,
+        make_integrator(scene, start->resolution, start->rates.sound_speed));
+    Simulation& moved = *simulation;
+    impact::Run observer(scene, start, start->resolution, {std::move(simulation)});
+    while (!observer.finished()) {
+      moved.step();
+      observer.observe_step();
+    }
+    impact::Run by_itself(scene, start);
+    while (!by_itself.finished()) by_itself.advance();
+    expect_same(observer, by_itself);
+    EXPECT_EQ(observer.correction().rows() > 0, scene.kind == SceneKind::kContact);
+  }
+}
+
+TEST(Run, IsTheSameWhoeverSolvesIt) {
+  Scene contact;
+  contact.kind = SceneKind::kContact;
+  contact.disk.recipe.points = 100;
+  Scene stretch;
+  stretch.kind = SceneKind::kStretch;
+  stretch.disk.recipe.points = 200;
+  for (const Scene& scene : {contact, stretch}) {
+    const auto start = compose_shared(scene);
+    auto search = make_search(scene, *start);
+    EquilibriumSearch& solved = *search;
+    impact::Run observer(scene, start, start->resolution, {std::move(search)});
+    EXPECT_TRUE(solve(solved));
+    EXPECT_FALSE(observer.finished());
+    observer.observe_solution(solved);
+    impact::Run by_itself(scene, start);
+    by_itself.advance();
+    expect_same(observer, by_itself);
+    EXPECT_EQ(observer.energy_error(), 0.0);
+    ASSERT_EQ(observer.correction().rows(), start->initial.position.rows());
+    EXPECT_GT(observer.correction().abs().maxCoeff(), 0.0);
+  }
+}
+
+TEST(Run, GoesOnWithASearchThatWasStopped) {
+  Scene scene;
+  scene.kind = SceneKind::kContact;
+  scene.disk.recipe.points = 100;
+  const auto start = compose_shared(scene);
+  impact::Run run(scene, start);
+  int asked = 0;
+  int calls = 0;
+  for (; !run.finished(); ++calls) {
+    run.advance([&] { return ++asked % 2 == 0; });
+  }
+  EXPECT_GT(calls, 2);
+  impact::Run at_once(scene, start);
+  at_once.advance();
+  expect_same(run, at_once);
 }
 
 /// The static solution is where the motion comes to rest.
@@ -480,7 +568,7 @@ TEST(AbsorbingWall, ResetAndViscousBoundariesAbsorb) {
     while (!run.finished()) run.advance();
     EXPECT_TRUE(run.flags().empty());
     EXPECT_LT(run.energy_error(), 1e-4);
-    return run.motion().ledger();
+    return run.system().ledger();
   };
   const double start = 0.5 * 0.03 * 0.03;
   const EnergyLedger fixed = ledger(Boundary::kFixed);
@@ -600,9 +688,9 @@ TEST(Stretch, EndsInEquilibrium) {
   EXPECT_EQ(run.integrator(), IntegratorKind::kNewton);
   run.advance();
   const double bond = 1e-3 * std::sqrt(M_PI / 300);
-  EXPECT_LT(run.motion().largest_static_force(), 1e-6 * bond);
+  EXPECT_LT(run.system().largest_static_force(), 1e-6 * bond);
   PointArray force = PointArray::Zero(run.state().position.rows(), 2);
-  BondForces bonds = run.motion().field().bonds;
+  BondForces bonds = run.system().field().bonds;
   bonds.evaluate(run.state().position, run.state().velocity, force);
   EXPECT_GT(force.abs().maxCoeff(), 0.1 * bond);
   // Rounding, and the free points' rest.

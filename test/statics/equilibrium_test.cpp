@@ -12,8 +12,7 @@ namespace {
 EquilibriumSearch solved(const ForceField& field, const PointArray& position, double tolerance) {
   EquilibriumSearch search(field, State{0.0, 0, position, PointArray::Zero(position.rows(), 2)},
                            tolerance);
-  EquilibriumSolver solver;
-  while (!search.finished()) solver.advance({&search});
+  solve(search);
   return search;
 }
 
@@ -97,6 +96,31 @@ TEST(FindEquilibrium, KeepsTheHeldRotationAndTheCentre) {
   position = search.state().position;
   EXPECT_NEAR((field.hold->direction() * (position - lattice.points)).sum(), 0.0, 1e-12);
   EXPECT_NEAR(position.col(0).mean(), lattice.points.col(0).mean(), 1e-14);
+}
+
+/// A triangle falls off its corner: where it stands, its energy is not convex, and the stiffness is
+/// shifted for the next attempt, before which the search may be stopped.
+TEST(FindEquilibrium, GoesOnWhereItWasStopped) {
+  PointArray points(3, 2);
+  points << 0, 0, -0.5, std::sqrt(0.75), 0.5, std::sqrt(0.75);
+  ForceField field{BondForces(plain_lattice(points, {{0, 1}, {0, 2}, {1, 2}}), {1.0, 0.0, 0.0}),
+                   1.0 / 3.0};
+  field.wall.emplace(30.0, 0.1);
+  field.load.emplace(0.003);
+  PointArray position = points;
+  position.col(0) += 0.01 * points.col(1);
+  position.col(1) += field.wall->gap_of_force(0.003) - 0.01 * points.col(0);
+  const EquilibriumSearch at_once = solved(field, position, 1e-14);
+  ASSERT_TRUE(at_once.found());
+
+  EquilibriumSearch search(field, State{0.0, 0, position, PointArray::Zero(3, 2)}, 1e-14);
+  int asked = 0;
+  bool shifted = false;
+  while (!solve(search, [&] { return ++asked % 2 == 0; })) shifted |= search.shift() > 0.0;
+  EXPECT_TRUE(shifted);
+  EXPECT_EQ(search.steps(), at_once.steps());
+  EXPECT_TRUE((search.state().position == at_once.state().position).all());
+  EXPECT_TRUE((search.correction() == at_once.correction()).all());
 }
 
 /// A load that no wall holds: no equilibrium, and it is said.

@@ -52,10 +52,11 @@ class PlotSweep(InFolder):
                          ('material.eta', 'restitution_error'))
 
     def test_failed_rows_are_left_out_and_told(self):
-        self.table([*ROWS, 'collision,4,0,potential,0.01,nan,nan,"failed: it, and \\"so\\""'])
+        self.table([*ROWS, 'collision,4,0,potential,0.01,nan,nan,',
+                    'collision,5,0,potential,0.01,,,"failed: it, and \\"so\\""'])
         done = run('plot_sweep', self.folder / 'sweep.csv', '--output', self.folder / 'a.svg')
         self.assertEqual(done.returncode, 0)
-        self.assertIn('left out without a number: 1 of 13 rows', done.stdout)
+        self.assertIn('left out without a number: 2 of 14 rows', done.stdout)
         self.assertTrue((self.folder / 'a.svg').exists())
 
     def test_bad_input_is_refused(self):

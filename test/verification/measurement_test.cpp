@@ -26,6 +26,13 @@ TEST(CanHave, KnowsTheIntegratorsOfAScene) {
   EXPECT_TRUE(can_have(scene, IntegratorKind::kNewton));
 }
 
+TEST(MostExact, IsOfOrder6) {
+  Scene scene;
+  EXPECT_EQ(most_exact(scene), IntegratorKind::kBlanesMoan);
+  scene.material.eta = 1.0;
+  EXPECT_EQ(most_exact(scene), IntegratorKind::kExtrapolatedDamping);
+}
+
 TEST(LongestStep, IsAllowed) {
   Scene scene = small_collision();
   for (const IntegratorKind integrator : {IntegratorKind::kVerlet, IntegratorKind::kBlanesMoan}) {

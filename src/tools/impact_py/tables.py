@@ -47,8 +47,10 @@ def read_table(path):
 
 
 def array(cells):
-    """An array of numbers if all cells are, else of texts."""
+    """An array of numbers if all cells are, empty ones but not all of them as NaN, else of texts."""
+    if not any(cells):
+        return np.array(cells)
     try:
-        return np.array([float(cell) for cell in cells])
+        return np.array([float(cell or "nan") for cell in cells])
     except ValueError:
         return np.array(cells)

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+
+#include "mechanics/energy_ledger.hpp"
+#include "mechanics/force_field.hpp"
+#include "mechanics/state.hpp"
+
+namespace impact {
+
+/// Points and the forces on them, which go on in steps: of time in a Motion, of Newton's method in
+/// an EquilibriumSearch. What an observer sees of both.
+class System {
+ public:
+  virtual ~System() = default;
+
+  virtual const State& state() const { return state_; }
+  double time() const { return state_.time; }          ///< of the state, R/c
+  std::uint64_t steps() const { return state_.step; }  ///< of the state
+  const ForceField& field() const { return field_; }
+  /// R/c; of a search 1, as which an iteration counts.
+  double step_size() const { return step_size_; }
+  /// How many times the step was halved.
+  int halvings() const { return halvings_; }
+
+  virtual double kinetic_energy() const;  ///< of all points, M c²
+  EnergyLedger ledger() const { return field_.ledger(state(), losses_); }
+
+  /// Largest component, over all points, of the force on a point at rest in the present
+  /// configuration, in M c²/R.
+  double largest_static_force() const;
+
+ protected:
+  System(ForceField field, State initial, double step_size);
+
+  ForceField field_;
+  mutable State state_;  ///< while in a lane, with positions and velocities of an earlier step
+  double step_size_;
+  int halvings_ = 0;
+  Losses losses_;
+};
+
+}  // namespace impact

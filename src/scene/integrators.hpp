@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace impact {
+
+enum class IntegratorKind {
+  kAuto,
+  kVerlet,
+  kBlanesMoan,
+  kImplicitDamping,
+  kExtrapolatedDamping,
+  kBdf,    ///< SUNDIALS CVODE, for stiff damping
+  kRk8pd,  ///< GSL, the independent reference
+  kNewton  ///< no motion: a static solution
+};
+
+/// How a method goes on.
+enum class Stepping {
+  kOpen,      ///< `auto`: as the method that it chooses
+  kFixed,     ///< in steps that are given
+  kAdaptive,  ///< in steps of its own, from a tolerance
+  kStatic     ///< to a state at rest, without motion
+};
+
+/// For which forces `auto` may choose a method.
+enum class AutoChoice { kNever, kUndamped, kDamped, kAlways };
+
+/// What the package knows of a method, besides how to make it (make_integrator()).
+struct IntegratorTraits {
+  IntegratorKind kind;
+  const char* name;  ///< in scenes, messages and results
+  Stepping stepping;
+  int order;                ///< of a method of fixed step; else 0
+  bool stiff;               ///< solves for velocities, so that damping does not limit its steps
+  bool holds_with_damping;  ///< where forces depend on velocities
+  bool in_lanes;            ///< lanes take it; of `auto`: all that it may choose
+  AutoChoice choice;
+  /// Time of a step without damping, in steps of undamped velocity Verlet, as
+  /// test/bench/bench_runs.cpp measures it at N = 1099. Of an adaptive method: of a step of its
+  /// own, or of a report if it is stiff, see forecast().
+  double cost;
+  double damped_cost;  ///< the same with damping
+};
+
+/// A row for each method, in the order of IntegratorKind, which is that of lists for users.
+// clang-format off
+inline constexpr std::array<IntegratorTraits, 8> kIntegrators{{
+    // kind, name, stepping, order,
+    //     stiff, holds with damping, in lanes, auto may choose it, cost, damped cost
+    {IntegratorKind::kAuto, "auto", Stepping::kOpen, 0,
+         false, true, true, AutoChoice::kNever, 0.0, 0.0},
+    {IntegratorKind::kVerlet, "verlet", Stepping::kFixed, 2,
+         false, true, true, AutoChoice::kAlways, 1.0, 1.5},
+    {IntegratorKind::kBlanesMoan, "blanes_moan", Stepping::kFixed, 6,
+         false, false, true, AutoChoice::kUndamped, 10.5, 10.5},
+    {IntegratorKind::kImplicitDamping, "implicit_damping", Stepping::kFixed, 2,
+         true, true, true, AutoChoice::kDamped, 4.3, 4.3},
+    {IntegratorKind::kExtrapolatedDamping, "extrapolated_damping", Stepping::kFixed, 6,
+         true, true, true, AutoChoice::kDamped, 34.0, 34.0},
+    {IntegratorKind::kBdf, "bdf", Stepping::kAdaptive, 0,
+         true, true, false, AutoChoice::kNever, 2.0, 2.0},
+    {IntegratorKind::kRk8pd, "rk8pd", Stepping::kAdaptive, 0,
+         false, true, false, AutoChoice::kNever, 14.0, 14.0},
+    {IntegratorKind::kNewton, "newton", Stepping::kStatic, 0,
+         false, true, true, AutoChoice::kNever, 0.0, 0.0},
+}};
+// clang-format on
+
+constexpr const IntegratorTraits& traits_of(IntegratorKind kind) {
+  return kIntegrators[static_cast<std::size_t>(kind)];
+}
+
+/// Whether the integrator chooses its steps by itself, from a tolerance.
+constexpr bool is_adaptive(IntegratorKind kind) {
+  return traits_of(kind).stepping == Stepping::kAdaptive;
+}
+
+/// Whether each step of a method of fixed step solves for the velocities of a damped lattice.
+constexpr bool solves_for_damping(IntegratorKind kind) {
+  return traits_of(kind).stepping == Stepping::kFixed && traits_of(kind).stiff;
+}
+
+/// Order of a method of fixed step.
+constexpr int order_of(IntegratorKind kind) { return traits_of(kind).order; }
+
+/// Whether `auto` may choose the method where forces do, or do not, depend on velocities.
+constexpr bool is_automatic(const IntegratorTraits& method, bool damped) {
+  return method.choice == AutoChoice::kAlways ||
+         method.choice == (damped ? AutoChoice::kDamped : AutoChoice::kUndamped);
+}
+
+}  // namespace impact
