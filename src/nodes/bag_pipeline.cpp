@@ -75,6 +75,24 @@ std::string pipeline_of(const std::string& topic, const std::set<std::string>& s
   return simulations.count(name_space) == 0 && simulations.count(above) > 0 ? above : name_space;
 }
 
+template <class Message>
+bool is_another_version_of(const rosbag::ConnectionInfo& connection) {
+  return connection.datatype == ros::message_traits::DataType<Message>::value() &&
+         connection.md5sum != ros::message_traits::MD5Sum<Message>::value();
+}
+
+/// @throw InputError for messages of these types that have other fields here.
+template <class... Messages>
+void refuse_other_versions(rosbag::View& view, const std::string& file) {
+  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
+    if (!(is_another_version_of<Messages>(*connection) || ...)) continue;
+    throw InputError(
+        fmt::format("{} was recorded by another version of lattice_impact, in which {} is another "
+                    "message: analyse it with that version",
+                    file, connection->datatype));
+  }
+}
+
 /// All its messages, by namespace.
 std::map<std::string, BagPipeline> read(const std::string& file, const ElasticParameters& elastic,
                                         const BagPipeline::Problem& problem) {
@@ -89,6 +107,10 @@ std::map<std::string, BagPipeline> read(const std::string& file, const ElasticPa
 
   std::map<std::string, BagPipeline> pipelines;
   rosbag::View view(bag);
+  refuse_other_versions<lattice_impact::Lattice, lattice_impact::ParticleStates,
+                        lattice_impact::ContactForces, lattice_impact::RunStatus,
+                        lattice_impact::Scalars, lattice_impact::Strain,
+                        lattice_impact::Restitution, lattice_impact::LawFit>(view, file);
   const std::set<std::string> name_spaces = simulations(view);
   for (const rosbag::MessageInstance& message : view) {
     const std::string name_space = pipeline_of(message.getTopic(), name_spaces);

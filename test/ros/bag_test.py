@@ -171,6 +171,22 @@ class BagTest(unittest.TestCase):
             else:
                 self.assertTrue(run.stderr.startswith('analyse_bag: '), what)
 
+    def test_bag_of_another_version_is_refused(self):
+        """As one in which a message has other fields, and so another sum of its definition."""
+        self.simulate('collision', SMALL_COLLISION)
+        other = os.path.join(self.folder, 'other.bag')
+        with rosbag.Bag(self.bag) as bag, rosbag.Bag(other, 'w') as copy:
+            for topic, (kind, content, md5sum, *rest), stamp in bag.read_messages(raw=True):
+                if kind == 'lattice_impact/RunStatus':
+                    md5sum = '0' * 32
+                header = {'topic': topic, 'type': kind, 'md5sum': md5sum, 'message_definition': ''}
+                copy.write(topic, (kind, content, md5sum, *rest), stamp, raw=True,
+                           connection_header=header)
+        done = run_tool('analyse_bag', other)
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, '^analyse_bag: .*other.bag was recorded by another version of '
+                                      'lattice_impact, in which lattice_impact/RunStatus .*\n$')
+
     def test_status_on_another_topic_is_told(self):
         self.simulate('collision', {'disk.points': 30, 'impact.velocity': 0.05, 'output.period': 0.5})
         with rosbag.Bag(self.bag) as bag:
