@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "measure/flags.hpp"
 #include "mechanics/body_motion.hpp"
 #include "nodes/conversions.hpp"
 
@@ -192,8 +193,7 @@ std::string RunChecks::fault_of(const RunStatus& status) {
 std::string RunChecks::fault_at_end(const RunStatus& status, const Scene& scene,
                                     std::uint32_t states) const {
   if (states > status.states) return fmt::format("{} states, {} announced", states, status.states);
-  const bool gave_up =
-      std::find(status.flags.begin(), status.flags.end(), "not_separated") != status.flags.end();
+  const bool gave_up = has_flag(status.flags, Flag::kNotSeparated);
   if (status.phase != RunStatus::FINISHED || scene.kind != SceneKind::kCollision || gave_up) {
     return {};
   }

@@ -7,6 +7,7 @@
 #include <exception>
 #include <utility>
 
+#include "measure/flags.hpp"
 #include "nodes/checksum.hpp"
 #include "scene/keys.hpp"
 #include "scene/scene_parameters.hpp"
@@ -18,14 +19,10 @@ bool has_ended(const std::optional<lattice_impact::RunStatus>& status) {
   return status && status->phase != lattice_impact::RunStatus::RUNNING;
 }
 
-bool has_flag(const lattice_impact::RunStatus& status, const char* flag) {
-  return std::find(status.flags.begin(), status.flags.end(), flag) != status.flags.end();
-}
-
 /// The question of the run was answered.
 bool is_answered(const lattice_impact::RunStatus& status) {
   return status.phase == lattice_impact::RunStatus::FINISHED &&
-         !has_flag(status, "not_separated") && !has_flag(status, "not_at_rest");
+         !has_flag(status.flags, Flag::kNotSeparated) && !has_flag(status.flags, Flag::kNotAtRest);
 }
 
 /// Whether e of the states is not the answer, by more than the errors. Where the simulation knows
@@ -40,9 +37,9 @@ bool disagrees(const lattice_impact::Restitution& message) {
 const char* phase_flag(const lattice_impact::RunStatus& status) {
   switch (status.phase) {
     case lattice_impact::RunStatus::FAILED:
-      return "failed";
+      return name_of(Flag::kFailed);
     case lattice_impact::RunStatus::INTERRUPTED:
-      return "interrupted";
+      return name_of(Flag::kInterrupted);
     default:
       return nullptr;
   }
@@ -171,9 +168,9 @@ void SeriesAnalysis::publish_restitution(const Run& run, bool ended, bool comple
   message.complete = static_cast<std::uint8_t>(complete);
   message.flags = run.status->flags;
   if (const char* flag = phase_flag(*run.status)) message.flags.emplace_back(flag);
-  if (run.gap) message.flags.emplace_back("incomplete");
-  if (run.damaged) message.flags.emplace_back("damaged");
-  if (disagrees(message)) message.flags.emplace_back("disagrees");
+  if (run.gap) message.flags.emplace_back(name_of(Flag::kIncomplete));
+  if (run.damaged) message.flags.emplace_back(name_of(Flag::kDamaged));
+  if (disagrees(message)) message.flags.emplace_back(name_of(Flag::kDisagrees));
   outputs_.restitution(message);
 }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "fits/law_fit.hpp"
-#include "measure/sound_answer.hpp"
+#include "measure/flags.hpp"
 #include "nodes/conversions.hpp"
 #include "scene/scene_parameters.hpp"
 #include "theory/quasi_static.hpp"

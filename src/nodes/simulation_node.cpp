@@ -207,7 +207,7 @@ Restitution SimulationNode::publish_run(Run& run, double period) {
     publish_output(run, analysis);
     progress_->note_states(status_.states, run.expected_time() / period);
   }
-  return analysis.restitution(run.finished() && !run.has_flag("not_separated"));
+  return analysis.restitution(run.finished() && !run.has_flag(Flag::kNotSeparated));
 }
 
 void SimulationNode::start(const Scene& scene, const Run& run) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "measure/flags.hpp"
 #include "output/text_table.hpp"
 
 namespace impact {
@@ -182,29 +183,6 @@ std::string digits(double value, double error) {
                : fmt::format("{:.{}e}", value, count - 1);
 }
 
-std::string meaning_of_flag(const std::string& flag) {
-  static const std::map<std::string, std::string> meanings{
-      {"starts_in_wall", "the wall reaches the disk at the start"},
-      {"cut_off", "the wall still repels at wall.threshold, where it ends"},
-      {"step_reduced", "the wall grew too stiff for the step, which was halved"},
-      {"energy_error", "the energy drifts by more than numerics.error"},
-      {"folded", "a triangle of the lattice turned over"},
-      {"beside_wall", "part of the disk lay beside the wall, which is too narrow"},
-      {"hops", "energy changes as contacts pass from bond to bond"},
-      {"charge_ignored", "the file has charges, which are ignored"},
-      {"floppy", "the lattice can change its shape without a change of a bond"},
-      {"several_rests", "the disk rests in other orientations too"},
-      {"not_separated", "given up: the disk has not left the wall"},
-      {"not_at_rest", "given up: the disk has not come to rest"},
-      {"failed", "the run broke off"},
-      {"interrupted", "the run was interrupted"},
-      {"incomplete", "messages are missing"},
-      {"damaged", "messages are damaged"},
-      {"disagrees", "the states give another e than the simulation"}};
-  const auto meaning = meanings.find(flag);
-  return meaning == meanings.end() ? "" : meaning->second;
-}
-
 std::string title(const Scene& scene) {
   const int points = scene.disk.recipe.points;
   const std::string disk = scene.disk.file.empty()
@@ -236,7 +214,8 @@ std::string result_block(const YAML::Node& result, const Scene& scene,
   std::string text = aligned_left(lines);
   std::vector<Line> flags;
   for (const YAML::Node& flag : result["flags"]) {
-    flags.push_back({"flag", flag.Scalar() + ":", meaning_of_flag(flag.Scalar())});
+    const FlagText* const text = text_of_flag(flag.Scalar());
+    flags.push_back({"flag", flag.Scalar() + ":", text == nullptr ? "" : text->meaning});
   }
   return text + aligned_left(flags);
 }

@@ -28,9 +28,6 @@ std::string title(const Scene& scene);
 /// Those numbers of the result that have a unit, in SI, and the units by the same keys.
 YAML::Node si_values(const YAML::Node& result, const Scene& scene, const SiUnits& si);
 
-/// What a flag means, in a few words; empty for an unknown one.
-std::string meaning_of_flag(const std::string& flag);
-
 /// The tree as JSON; numbers that are not finite are null.
 std::string to_json(const YAML::Node& tree);
 

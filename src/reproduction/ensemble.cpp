@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "measure/sound_answer.hpp"
+#include "measure/flags.hpp"
 
 namespace impact {
 namespace {

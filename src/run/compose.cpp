@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lattice/input_error.hpp"
+#include "measure/flags.hpp"
 #include "run/elastic_wall_body.hpp"
 #include "run/expected_time.hpp"
 #include "run/forecast.hpp"
@@ -129,9 +130,7 @@ Composition compose(const Scene& scene, std::shared_ptr<const Bodies> bodies) {
   refuse_missing_integrator(scene);
   refuse_if_too_long(scene, bodies->disk.points.rows(),
                      bodies->wall ? bodies->wall->lattice.points.rows() : 0);
-  const auto& flags = bodies->flags;
-  if (scene.kind == SceneKind::kContact &&
-      std::find(flags.begin(), flags.end(), "floppy") != flags.end()) {
+  if (scene.kind == SceneKind::kContact && has_flag(bodies->flags, Flag::kFloppy)) {
     throw InputError(fmt::format(
         "disk.file: {}: the lattice is floppy, it can change its shape without a change of a bond: "
         "a contact has no state of rest",

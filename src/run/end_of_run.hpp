@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "measure/flags.hpp"
 #include "mechanics/system.hpp"
 #include "run/compose.hpp"
 #include "run/free_flight.hpp"
@@ -16,7 +17,7 @@ class EndOfRun {
   virtual ~EndOfRun() = default;
   virtual bool reached(const System& system) = 0;
   /// The flag of a run that is given up before its end is reached.
-  virtual const char* flag_if_given_up() const = 0;
+  virtual Flag flag_if_given_up() const = 0;
   /// Extra time (R/c) that the end may take although the run is going well.
   virtual double time_under_way() const { return 0.0; }
 };
@@ -28,7 +29,7 @@ class SeparationEnd : public EndOfRun {
  public:
   SeparationEnd(const Scene& scene, const Composition& composition);
   bool reached(const System& system) override;
-  const char* flag_if_given_up() const override { return "not_separated"; }
+  Flag flag_if_given_up() const override { return Flag::kNotSeparated; }
   /// The time for 10 R at the smallest velocity that the disk had between its touches, or at 10⁻³
   /// of that before.
   double time_under_way() const override { return time_under_way_; }
@@ -48,7 +49,7 @@ class RestEnd : public EndOfRun {
  public:
   RestEnd(const Scene& scene, Eigen::Index points, double step);
   bool reached(const System& system) override;
-  const char* flag_if_given_up() const override { return "not_at_rest"; }
+  Flag flag_if_given_up() const override { return Flag::kNotAtRest; }
 
  private:
   double largest_force_;
@@ -64,7 +65,7 @@ class StaticEnd : public EndOfRun {
   bool reached(const System& system) override {
     return system.largest_static_force() <= largest_force_;
   }
-  const char* flag_if_given_up() const override { return "not_at_rest"; }
+  Flag flag_if_given_up() const override { return Flag::kNotAtRest; }
 
  private:
   double largest_force_;

@@ -65,9 +65,9 @@ FinishedImpact finished_impact(const Run& run, const Restitution& measured) {
         (wall->hops_size() + wall->turned()) / (measured.velocity_after * measured.velocity_after);
   }
   impact.step_reduced = run.system().halvings() > 0;
-  impact.not_separated = run.has_flag("not_separated");
-  impact.folded = run.has_flag("folded");
-  impact.cut_off = run.has_flag("cut_off");
+  impact.not_separated = run.has_flag(Flag::kNotSeparated);
+  impact.folded = run.has_flag(Flag::kFolded);
+  impact.cut_off = run.has_flag(Flag::kCutOff);
   return impact;
 }
 
@@ -270,7 +270,7 @@ bool ErrorControl::accepts_contact(const Run& run) {
   estimated_error_ =
       (std::abs(corrected - strain) + kRoundingOfStrain * kEpsilon) / std::abs(corrected);
   if (scene_.numerics.are_given()) return true;
-  if (run.has_flag("not_at_rest")) give_up("no state of rest was found");
+  if (run.has_flag(Flag::kNotAtRest)) give_up("no state of rest was found");
   if (estimated_error_ > scene_.numerics.error) {
     give_up(
         fmt::format("the disk came to rest, but rounding leaves an error of {:.1e} in its strain",

@@ -108,16 +108,12 @@ Run::Run(const Scene& scene, std::shared_ptr<const Composition> composition,
   restitution_bound_ = scene.impact.slides()
                            ? std::sqrt(1.0 + relative_energy + 2.0 * other_motion / (v * v))
                            : std::sqrt(1.0 + relative_energy);
-  if (relative_energy > scene.numerics.error) flags_.emplace_back("starts_in_wall");
-  if (is_cut_off(scene, system_->field())) flags_.emplace_back("cut_off");
+  if (relative_energy > scene.numerics.error) flags_.emplace_back(name_of(Flag::kStartsInWall));
+  if (is_cut_off(scene, system_->field())) flags_.emplace_back(name_of(Flag::kCutOff));
 }
 
 void Run::advance(const std::function<bool()>& stop) {
   if (!finished_) drive_(*this, stop);
-}
-
-bool Run::has_flag(const std::string& flag) const {
-  return std::find(flags_.begin(), flags_.end(), flag) != flags_.end();
 }
 
 State Run::disk_state() const {
@@ -173,7 +169,7 @@ void Run::give_up() {
         fmt::format("no state of rest was found: after {} steps a point still feels {:.1e} M c²/R",
                     system_->steps(), system_->largest_static_force()));
   }
-  flags_.emplace_back(end_->flag_if_given_up());
+  flags_.emplace_back(name_of(end_->flag_if_given_up()));
 }
 
 void Run::look() {
@@ -184,9 +180,9 @@ void Run::look() {
 
 void Run::note_other_rests() {
   if (scene_.kind != SceneKind::kContact || scene_.load.hold_rotation) return;
-  if (has_flag("not_at_rest")) return;
+  if (has_flag(Flag::kNotAtRest)) return;
   if (rests_elsewhere(scene_, *composition_, disk_state().position)) {
-    flags_.emplace_back("several_rests");
+    flags_.emplace_back(name_of(Flag::kSeveralRests));
   }
 }
 
@@ -202,7 +198,7 @@ void Run::note_folds() {
 void Run::end_motion() {
   look();
   if (scene_.numerics.are_given() && monitor_.error() > scene_.numerics.error) {
-    flags_.emplace_back("energy_error");
+    flags_.emplace_back(name_of(Flag::kEnergyError));
   }
   if (scene_.kind == SceneKind::kContact) {
     correction_ = equilibrium_correction(system_->field(), state());
@@ -212,11 +208,11 @@ void Run::end_motion() {
 
 void Run::finish() {
   finished_ = true;
-  if (folded_) flags_.emplace_back("folded");
-  if (beside_wall_) flags_.emplace_back("beside_wall");
-  if (hops_matter(scene_, *system_)) flags_.emplace_back("hops");
+  if (folded_) flags_.emplace_back(name_of(Flag::kFolded));
+  if (beside_wall_) flags_.emplace_back(name_of(Flag::kBesideWall));
+  if (hops_matter(scene_, *system_)) flags_.emplace_back(name_of(Flag::kHops));
   note_other_rests();
-  if (system_->halvings() > 0) flags_.emplace_back("step_reduced");
+  if (system_->halvings() > 0) flags_.emplace_back(name_of(Flag::kStepReduced));
 }
 
 std::unique_ptr<EquilibriumSearch> make_search(const Scene& scene, const Composition& composition) {

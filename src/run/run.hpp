@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "measure/flags.hpp"
 #include "mechanics/system.hpp"
 #include "run/compose.hpp"
 #include "run/contact_recorder.hpp"
@@ -96,7 +97,7 @@ class Run {
   /// (of a file), `floppy` (a lattice from a file that can change its shape without a change of a
   /// bond), `several_rests` (see rests_elsewhere()), `not_separated` or `not_at_rest` (given up).
   const std::vector<std::string>& flags() const { return flags_; }
-  bool has_flag(const std::string& flag) const;
+  bool has_flag(Flag flag) const { return impact::has_flag(flags_, flag); }
 
   /// Largest e that energy allows: √(1 + 2U₀/(M v²)) with the wall's energy U₀ at the start and v
   /// the velocity along y; where the disk also slides or spins, U₀ counts that energy too.

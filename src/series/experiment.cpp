@@ -176,7 +176,7 @@ void Experiment::take_in() {
 }
 
 Restitution Experiment::restitution_of_run() const {
-  return analysis_.restitution(!run_->has_flag("not_separated"));
+  return analysis_.restitution(!run_->has_flag(Flag::kNotSeparated));
 }
 
 double Experiment::answer() const {

@@ -48,8 +48,8 @@ void perform(Experiment& experiment) {
     experiment.advance(stop);
     if (meter.is_too_much()) throw RunFailure("stopped: too much work");
   }
-  for (const char* flag : {"not_at_rest", "not_separated"}) {
-    if (experiment.run().has_flag(flag)) throw RunFailure(flag);
+  for (const Flag flag : {Flag::kNotAtRest, Flag::kNotSeparated}) {
+    if (experiment.run().has_flag(flag)) throw RunFailure(name_of(flag));
   }
 }
 

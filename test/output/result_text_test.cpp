@@ -93,17 +93,6 @@ TEST(ResultTable, HasALineARun) {
       "-\n");
 }
 
-/// Every flag that the sources raise has a meaning.
-TEST(MeaningOfFlag, IsKnownOfEach) {
-  for (const char* const flag :
-       {"starts_in_wall", "cut_off", "step_reduced", "energy_error", "folded", "beside_wall",
-        "hops", "charge_ignored", "floppy", "several_rests", "not_separated", "not_at_rest",
-        "incomplete", "damaged", "disagrees", "failed", "interrupted"}) {
-    EXPECT_NE(meaning_of_flag(flag), "") << flag;
-  }
-  EXPECT_EQ(meaning_of_flag("another"), "");
-}
-
 TEST(ToJson, HasNumbersTextsAndNull) {
   EXPECT_EQ(to_json(YAML::Load("{a: 1.0e-05, b: .nan, c: -.inf, d: [x, true, 3], e: {}, f: 'yes', "
                                "g: \"a\\\"b\\u03be\\n\", h: ~}")),

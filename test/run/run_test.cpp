@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "measure/elastic_constants.hpp"
+#include "measure/flags.hpp"
 #include "measure/impact_analysis.hpp"
-#include "measure/sound_answer.hpp"
 #include "measure/strain.hpp"
 #include "mechanics/simulation.hpp"
 #include "run/error_control.hpp"
@@ -30,7 +30,7 @@ Restitution finish(Run& run) {
     analysis.add(run.disk_state());
     analysis.add(run.take_contact_reports().on_disk);
   }
-  return analysis.restitution(!run.has_flag("not_separated"));
+  return analysis.restitution(!run.has_flag(Flag::kNotSeparated));
 }
 
 Restitution impact_of(const Scene& scene) {
@@ -178,7 +178,7 @@ TEST(Collision, EnergyErrorAboveTheWantedErrorIsFlagged) {
   impact::Run run(scene);
   finish(run);
   EXPECT_GT(run.energy_error(), scene.numerics.error);
-  EXPECT_TRUE(run.has_flag("energy_error"));
+  EXPECT_TRUE(run.has_flag(Flag::kEnergyError));
 }
 
 /// A step far beyond the limit, which only a wrong spectrum lets pass.
@@ -204,7 +204,7 @@ TEST(Collision, StartInsideTheWallIsFlagged) {
   Scene scene;
   scene.impact.gap = 0.03;
   impact::Run run(scene);
-  ASSERT_TRUE(run.has_flag("starts_in_wall"));
+  ASSERT_TRUE(run.has_flag(Flag::kStartsInWall));
   finish(run);
   const double e = run.state().velocity.col(1).mean() / scene.impact.velocity;
   EXPECT_GT(e, 1.0);
@@ -218,7 +218,7 @@ TEST(Collision, ThatNeverEndsIsGivenUpWithAFlag) {
   composition.expected_time = 0.01;
   impact::Run run(scene, std::make_shared<const Composition>(std::move(composition)));
   EXPECT_TRUE(std::isnan(finish(run).restitution));
-  EXPECT_TRUE(run.has_flag("not_separated"));
+  EXPECT_TRUE(run.has_flag(Flag::kNotSeparated));
 }
 
 /// The wall's energy before and after, relative to that of the centre of mass after the impact. A
@@ -279,7 +279,7 @@ TEST(Contact, SaysWhetherARollingDiskRestsElsewhere) {
     scene.load.hold_rotation = false;
     impact::Run free(scene);
     free.advance();
-    EXPECT_EQ(free.has_flag("several_rests"), several) << a << ", seed " << seed;
+    EXPECT_EQ(free.has_flag(Flag::kSeveralRests), several) << a << ", seed " << seed;
     scene.load.hold_rotation = true;
     impact::Run held(scene);
     held.advance();
@@ -294,7 +294,7 @@ TEST(Collision, FlagsFolds) {
     scene.impact.velocity = velocity;
     impact::Run run(scene);
     while (!run.finished()) run.advance();
-    EXPECT_EQ(run.has_flag("folded"), velocity > 0.1);
+    EXPECT_EQ(run.has_flag(Flag::kFolded), velocity > 0.1);
     EXPECT_EQ(run.state().velocity.col(1).mean() < 0.9 * velocity, velocity > 0.1);
   }
 }
@@ -433,7 +433,7 @@ TEST(Contact, ComesToRestAtSmallErrors) {
   impact::Run run(scene);
   while (!run.finished() && run.state().time < 1000.0) run.advance();
   EXPECT_TRUE(run.finished());
-  EXPECT_FALSE(run.has_flag("not_at_rest"));
+  EXPECT_FALSE(run.has_flag(Flag::kNotAtRest));
 }
 
 Scene absorbing_wall(Boundary boundary = Boundary::kReset) {
@@ -496,9 +496,9 @@ TEST(AbsorbingWall, ResetsBecomeAClampAsTheirIntervalGoesToZero) {
 TEST(AbsorbingWall, FlagsAThresholdThatIsFelt) {
   Scene scene;
   scene.wall.kind = WallKind::kLattice;
-  EXPECT_FALSE(impact::Run(scene).has_flag("cut_off"));
+  EXPECT_FALSE(impact::Run(scene).has_flag(Flag::kCutOff));
   scene.wall.threshold = 0.05;
-  EXPECT_TRUE(impact::Run(scene).has_flag("cut_off"));
+  EXPECT_TRUE(impact::Run(scene).has_flag(Flag::kCutOff));
 }
 
 /// A wall so narrow that the contact reaches over its edge, where the force ends at once.
@@ -513,7 +513,7 @@ TEST(AbsorbingWall, FlagsHopsThatMatter) {
     }
     impact::Run run(scene);
     while (!run.finished()) run.advance();
-    EXPECT_EQ(run.has_flag("hops"), narrow);
+    EXPECT_EQ(run.has_flag(Flag::kHops), narrow);
   }
 }
 
@@ -529,7 +529,7 @@ TEST(AbsorbingWall, FlagsAContactBesideIt) {
     scene.wall.height = 0.5;
     impact::Run run(scene);
     const double restitution = finish(run).restitution;
-    EXPECT_EQ(run.has_flag("beside_wall"), width < 1.0);
+    EXPECT_EQ(run.has_flag(Flag::kBesideWall), width < 1.0);
     EXPECT_EQ(restitution > run.restitution_bound(), width < 1.0);
     EXPECT_EQ(is_sound(run.flags()), width > 1.0);
   }
