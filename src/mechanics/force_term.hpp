@@ -26,7 +26,7 @@ struct ForceTerm {
   /// Adds the forces on points at rest.
   void add_forces(const PointArray& /*position*/, PointArray& /*force*/) {}
   /// Adds the forces that depend on velocities. Returns the powers that they take away.
-  Losses add_damping_forces(const PointArray& /*velocity*/, PointArray& /*force*/) const {
+  static Losses add_damping_forces(const PointArray& /*velocity*/, PointArray& /*force*/) {
     return {};
   }
   /// Takes away what would break a constraint, after all forces were added.
@@ -43,7 +43,7 @@ struct ForceTerm {
   void constrain_damping(int /*axis*/, MatrixEntries& /*entries*/) const {}
 
   /// Whether forces stay the same when everything is shifted along this axis.
-  bool shifts_freely(int /*axis*/) const { return true; }
+  static bool shifts_freely(int /*axis*/) { return true; }
   /// Adds its energies to the ledger.
   void enter(const PointArray& /*position*/, EnergyLedger& /*ledger*/) const {}
 };

@@ -24,7 +24,7 @@ class PotentialWall : public ForceTerm, public WallContact {
   WallLaw law() const;
 
   void add_stiffness(const PointArray& position, MatrixEntries& entries) const;
-  bool shifts_freely(int axis) const { return axis == 0; }
+  static bool shifts_freely(int axis) { return axis == 0; }
   double potential_energy(const PointArray& position) const;
   void enter(const PointArray& position, EnergyLedger& ledger) const {
     ledger.wall += potential_energy(position);

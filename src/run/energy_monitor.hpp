@@ -17,8 +17,8 @@ class EnergyMonitor {
  public:
   explicit EnergyMonitor(const EnergyLedger& start);
 
-  /// @throw RunFailure when the total has changed by more than the largest energy so far, or is
-  /// not finite.
+  /// @throw RunFailure when the total has changed by more than the largest energy of the bodies so
+  /// far and by more than what was dissipated and absorbed, or is not finite.
   void check(const System& system);
 
   /// Whether the kinetic energy alone, which costs little to know, is more than twice the largest

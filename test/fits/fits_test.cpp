@@ -35,6 +35,22 @@ TEST(FitHertz, RecoversBExactlyWithoutNoise) {
   EXPECT_EQ(fit.x_low, 4e-3);
 }
 
+/// Two values y ± δ of one force: χ² = 2δ² on one degree of freedom, so that the mean, which the
+/// law meets, is known to δ, and b to δ over the slope of the law.
+TEST(FitHertz, HasTheErrorOfTheScatter) {
+  constexpr double kForce = 6e-3;
+  constexpr double kDelta = 1e-5;
+  const double y = hertz_compression(kDisk, 1.55, kForce);
+  const Fit fit = fit_hertz({{kForce, y + kDelta}, {kForce, y - kDelta}}, kDisk);
+  ASSERT_TRUE(fit.declined.empty()) << fit.declined;
+  constexpr double kMove = 1e-5;
+  const double slope = (hertz_compression(kDisk, 1.55 + kMove, kForce) -
+                        hertz_compression(kDisk, 1.55 - kMove, kForce)) /
+                       (2.0 * kMove);
+  // The solver's slopes are forward differences with steps of 10⁻⁸.
+  EXPECT_NEAR(fit.parameters[0].standard_error, kDelta / slope, 1e-5 * kDelta / slope);
+}
+
 /// Over 200 noisy data sets the estimates scatter as their standard errors say: the mean of the
 /// squared normalised deviation is 1 (by t statistics n/(n − 2) for n = 18 degrees: 1.125), known
 /// from 200 sets to √(2/200) = 0.1.
@@ -60,6 +76,19 @@ TEST(FitRestitution, RecoversStrongLosses) {
   EXPECT_NEAR(fit.parameters[0].value, 1.5, 3.5 * fit.parameters[0].standard_error);
   EXPECT_NEAR(fit.parameters[1].value, 1.7, 3.5 * fit.parameters[1].standard_error);
   EXPECT_LT(fit.parameters[1].standard_error, 0.05);
+}
+
+/// d₂ of about its standard error and a half, by which it may be taken for chance.
+TEST(FitRestitution, DeclinesAWeakSlope) {
+  int declined = 0;
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    const Fit fit = fit_restitution(restitution_data(1.0, 0.02, 1e-3, seed));
+    declined += fit.declined.empty() ? 0 : 1;
+    if (!fit.declined.empty()) continue;
+    EXPECT_GT(fit.parameters[1].value, 2.0 * fit.parameters[1].standard_error);
+  }
+  EXPECT_GT(declined, 20);
+  EXPECT_LT(declined, 95);
 }
 
 TEST(FitRestitution, DeclinesAConcaveLaw) {

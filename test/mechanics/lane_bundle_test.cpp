@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <deque>
 #include <memory>
 #include <stdexcept>
@@ -15,6 +17,7 @@
 #include "mechanics/implicit_damping.hpp"
 #include "mechanics/simulation.hpp"
 #include "mechanics/velocity_verlet.hpp"
+#include "two_bodies.hpp"
 
 namespace impact {
 namespace {
@@ -143,6 +146,63 @@ TEST(LaneBundle, IsExtrapolatedDampingInEveryLane) {
       {{0.02, 1.0, eta}, {0.05, 1.1, eta}, {0.03, 0.9, eta, 200.0}, {0.02, 1.0, eta}}, true);
 }
 
+/// Eqs. (1) and (3), bond by bond and point by point.
+struct PlainForces {
+  PointArray force = PointArray::Zero(kPoints, 2);
+  double power = 0.0;
+  double wall = 0.0;
+  double largest = 0.0;
+
+  PlainForces(const Throw& thrown, const PointArray& position, const PointArray& velocity) {
+    for (std::size_t k = 0; k < disk().bonds.size(); ++k) {
+      const auto [i, j] = disk().bonds[k];
+      const Eigen::Array<double, 1, 2> way = position.row(i) - position.row(j);
+      const Eigen::Array<double, 1, 2> dv = velocity.row(i) - velocity.row(j);
+      const double x = way.matrix().norm() - disk().natural_lengths[k];
+      const double tension = thrown.k_a * x + thrown.k_b * x * x * x;
+      const auto pull = (-tension * way.matrix().normalized().array() - thrown.eta * dv).eval();
+      force.row(i) += pull;
+      force.row(j) -= pull;
+      power += thrown.eta * dv.square().sum();
+    }
+    for (int i = 0; i < kPoints; ++i) {
+      const double push = thrown.a * thrown.a * kPointMass * std::exp(-thrown.a * position(i, 1));
+      force(i, 1) += push;
+      wall += push;
+      largest = std::max(largest, push);
+    }
+  }
+};
+
+/// Velocity Verlet by plain loops, through the impact: rounding of 10⁻¹⁶ grows over 400 steps.
+TEST(LaneBundle, FollowsAPlainLoop) {
+  const std::vector<Throw> throws{{0.02}, {0.05, 1.1}, {0.06, 1.0, 0.0, 200.0, 0.008, 0.5}};
+  LaneBundle all = bundle<BasicVelocityVerlet>(throws.front());
+  std::vector<std::unique_ptr<LaneMotion>> motions;
+  for (const Throw& thrown : throws) {
+    motions.push_back(in_lane(thrown));
+    all.add(*motions.back());
+  }
+  constexpr int kSteps = 400;
+  for (int step = 0; step < kSteps; ++step) all.step();
+  for (std::size_t k = 0; k < throws.size(); ++k) {
+    PointArray x = start_of(throws[k]).position;
+    PointArray v = start_of(throws[k]).velocity;
+    const auto kick = [&] {
+      v += 0.5 * throws[k].step / kPointMass * PlainForces(throws[k], x, v).force;
+    };
+    for (int step = 0; step < kSteps; ++step) {
+      kick();
+      x += throws[k].step * v;
+      kick();
+    }
+    EXPECT_LT((motions[k]->state().position - x).abs().maxCoeff(), 1e-10);
+    EXPECT_LT((motions[k]->state().velocity - v).abs().maxCoeff(), 1e-10);
+    EXPECT_NEAR(motions[k]->kinetic_energy(), 0.5 * kPointMass * v.square().sum(), 1e-12);
+    EXPECT_GT(v.col(1).mean(), 0.0);
+  }
+}
+
 /// The wall grows too stiff for this step on the way.
 TEST(LaneBundle, HalvesTheStepOfOneLane) {
   const Throw hard{0.3, 1.0, 0.0, 1000.0, 0.03};
@@ -159,6 +219,29 @@ TEST(LaneBundle, HalvesTheStepOfOneLane) {
   EXPECT_GT(motion->halvings(), 0);
   EXPECT_EQ(other->halvings(), 0);
   expect_same(*motion, single);
+}
+
+/// Above an elastic wall that rises: it counts how fast the two bodies come together.
+TEST(LaneBundle, HalvesTheStepAboveAnElasticWall) {
+  TwoBodies bodies(2.4, {0.3, 0.0}, GapMeasure::kNormal, 4000.0);
+  bodies.state.velocity.bottomRows(bodies.field.wall_points).col(1) += 0.1;
+  Simulation single = bodies.simulation(0.1);
+  const Spectrum spectrum =
+      lattice_spectrum(bodies.lattice, bodies.field.bonds.law(), TwoBodies::kMass);
+  LaneMotion motion(bodies.field, bodies.state, spectrum, 0.1);
+  LaneBundle lanes(
+      bodies.lattice, TwoBodies::kMass, LaneField::kind_of(bodies.field),
+      [] { return std::make_unique<BasicVelocityVerlet<LaneField>>(); }, false);
+  lanes.add(motion);
+  while (single.time() < 6.0) {
+    single.step();
+    lanes.step();
+    ASSERT_EQ(motion.halvings(), single.halvings());
+  }
+  EXPECT_GT(single.halvings(), 0);
+  EXPECT_TRUE((motion.state().position == single.state().position).all());
+  EXPECT_TRUE((motion.state().velocity == single.state().velocity).all());
+  EXPECT_GT(single.field().elastic_wall->largest_force(), 0.0);
 }
 
 TEST(LaneBundle, OneWhoseStepIsHalvedLeavesACommonOne) {
@@ -244,7 +327,7 @@ TEST(LaneField, KnowsTheTermsOfAnImpactOnThePotentialWall) {
 
 class EveryLaneKernel : public KernelTest {};
 
-/// Forces, power and wall of each lane are those of one run, to the last bit.
+/// Forces, power and wall of each lane are those of one run, to the last bit, and of a plain loop.
 TEST_P(EveryLaneKernel, HasTheBitsOfOneRun) {
   const Kernels& kernels = *GetParam();
   for (const double k_b : {0.0, 0.5}) {
@@ -280,6 +363,13 @@ TEST_P(EveryLaneKernel, HasTheBitsOfOneRun) {
         EXPECT_EQ(lanes.wall_force(k).total, wall.total);
         EXPECT_EQ(lanes.wall_force(k).largest, wall.largest);
         EXPECT_GT(wall.total, 0.0);
+
+        // Rounding of forces of about 1, and of exponentials to 4 units in the last place.
+        const PlainForces plain(thrown, position, state.velocity.lane(k));
+        EXPECT_LT((force.lane(k) - plain.force).abs().maxCoeff(), 1e-13);
+        EXPECT_NEAR(power.dissipated(k), plain.power, 1e-14);
+        EXPECT_NEAR(wall.total, plain.wall, 1e-13);
+        EXPECT_NEAR(wall.largest, plain.largest, 1e-13);
       }
     }
   }

@@ -49,9 +49,9 @@ TEST(PotentialWall, HeightsInvertForceAndEnergy) {
   const PotentialWall wall(300.0, 0.25);
   EXPECT_NEAR(wall.force_at(wall.gap_of_force(1e-3)), 1e-3, 1e-15);
 
-  PointArray points = points_at({0.0, 0.001, 0.3});
+  PointArray points = points_at({0.5, 0.501, 0.8});
   const double height = wall.height_of_energy(points, 1e-10);
-  points.col(1) += height;
+  points.col(1) += height - 0.5;
   EXPECT_NEAR(wall.potential_energy(points) / 1e-10, 1.0, 1e-12);
 }
 

@@ -159,6 +159,33 @@ TEST(TwoBodies, KeepTheirMomenta) {
   }
 }
 
+/// The limit of the lattice's highest frequency with that of two points which push each other apart
+/// added, each of half the mass: 2/√(ω² + 2 · 1.5 a F/m), where the force F grows by e^(a v h)
+/// within the step.
+TEST(TwoBodies, HalveTheStepAtTheLimitOfBothEnds) {
+  constexpr double kA = 10.0;
+  constexpr double kSpeed = 0.1;
+  const TwoBodies bodies(2.4, {0.0, -kSpeed}, GapMeasure::kNormal, kA);
+  const double omega_squared =
+      lattice_spectrum(bodies.lattice, {1.0, 0.5, 0.0}, TwoBodies::kMass).omega_squared;
+  const double force = bodies.field.elastic_wall->largest_force();
+  const auto limit = [&](double step) {
+    const double stiffness = kA * force * std::exp(kA * kSpeed * step);
+    return 2.0 /
+           std::sqrt(omega_squared + 2.0 * Motion::kWallMargin * stiffness / TwoBodies::kMass);
+  };
+  double longest = 0.0;
+  for (double part = 1.0; part > 1e-9; part /= 2.0) {
+    if (longest + part <= limit(longest + part)) longest += part;
+  }
+  ASSERT_LT(longest, 0.99 * 2.0 / std::sqrt(omega_squared));
+  for (const double share : {0.999, 1.001}) {
+    Simulation simulation = bodies.simulation(share * longest);
+    simulation.step();
+    EXPECT_EQ(simulation.halvings(), share > 1.0 ? 1 : 0);
+  }
+}
+
 /// A body at rest that is hit from below is as one that falls: the step is halved at the same time,
 /// and the motion differs by the frame's alone.
 TEST(TwoBodies, DoNotCareAboutTheFrame) {

@@ -47,6 +47,39 @@ TEST(Conversions, ContactReportRoundTripKeepsEveryBit) {
   EXPECT_EQ(again.samples[1].force, 0.4);
 }
 
+/// Each energy is its own: powers of two, whose sum tells them apart.
+TEST(Conversions, OfALedgerKeepEveryEnergy) {
+  EnergyLedger ledger;
+  ledger.kinetic_translation = 1.0;
+  ledger.kinetic_rotation = 2.0;
+  ledger.kinetic_internal = 4.0;
+  ledger.bonds = 8.0;
+  ledger.wall = 16.0;
+  ledger.load = 32.0;
+  ledger.dissipated = 64.0;
+  ledger.wall_lattice = 128.0;
+  ledger.absorbed = 256.0;
+  ledger.hops = 512.0;
+  ledger.hops_size = 1024.0;
+  const auto expect_all = [](const auto& message) {
+    EXPECT_EQ(message.kinetic_translation, 1.0);
+    EXPECT_EQ(message.kinetic_rotation, 2.0);
+    EXPECT_EQ(message.kinetic_internal, 4.0);
+    EXPECT_EQ(message.bonds, 8.0);
+    EXPECT_EQ(message.wall, 16.0);
+    EXPECT_EQ(message.load, 32.0);
+    EXPECT_EQ(message.dissipated, 64.0);
+    EXPECT_EQ(message.wall_lattice, 128.0);
+    EXPECT_EQ(message.absorbed, 256.0);
+    EXPECT_EQ(message.hops, 512.0);
+    EXPECT_EQ(message.hops_size, 1024.0);
+    EXPECT_EQ(message.total, 1023.0);
+    EXPECT_EQ(message.error, 0.5);
+  };
+  expect_all(to_message(ledger, 0.5));
+  expect_all(to_message(BodyMotion{}, ContactReport{}, ledger, 0.5));
+}
+
 TEST(Conversions, RefuseMessagesThatDoNotFitTogether) {
   lattice_impact::ParticleStates states =
       to_message(State{0.0, 0, place_in_disk({5}, 1), place_in_disk({5}, 2)});

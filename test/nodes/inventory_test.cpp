@@ -45,6 +45,19 @@ TEST(Inventory, OfAWholeSeriesHasNoProblems) {
   EXPECT_EQ(inventory.last_run(), 1U);
 }
 
+/// Status messages are counted by their own sequence, from 0.
+TEST(Inventory, CountsTheStatusMessages) {
+  Inventory inventory;
+  inventory.add("lattice", 0);
+  RunStatus end = status(0, RunStatus::FINISHED, 0);
+  end.sequence = 2;
+  inventory.add(status(0, RunStatus::RUNNING, 0));
+  inventory.add(end);
+  EXPECT_EQ(inventory.published("run_status"), 3U);
+  EXPECT_EQ(inventory.problems(),
+            (Lines{"run 0: run_status: 2 of 3 messages published", "run 1 of 2 is missing"}));
+}
+
 TEST(Inventory, NamesWhatIsMissing) {
   Inventory inventory;
   add_states(inventory, 0, 3);

@@ -140,6 +140,32 @@ TEST(SeriesAnalysis, KeepsTheRunsOfASeriesApart) {
   EXPECT_TRUE(listener.analysis.done());
 }
 
+/// The last run, or one that failed, is the end.
+TEST(SeriesAnalysis, IsDoneAfterTheLastRun) {
+  const Scene scene = small_scene(SceneKind::kCollision);
+  Listener listener;
+  listener.hear(messages_of(scene, 0));
+  EXPECT_FALSE(listener.analysis.done());
+  listener.hear(messages_of(scene, 1));
+  EXPECT_TRUE(listener.analysis.done());
+}
+
+/// A run that was given up has no answer.
+TEST(SeriesAnalysis, GivesNoNumberForARunThatWasGivenUp) {
+  for (const auto& [kind, flag] : {std::make_pair(SceneKind::kCollision, "not_separated"),
+                                   std::make_pair(SceneKind::kContact, "not_at_rest")}) {
+    std::vector<Message> messages = messages_of(small_scene(kind), 0);
+    std::get<lattice_impact::RunStatus>(messages.back()).flags.emplace_back(flag);
+    Listener listener;
+    listener.hear(messages);
+    ASSERT_EQ(listener.closed.size(), 1U);
+    EXPECT_TRUE(std::isnan(listener.closed[0].answer)) << flag;
+    for (const auto& strain : listener.strains) EXPECT_EQ(strain.at_rest, 0);
+    for (const auto& result : listener.results) EXPECT_EQ(result.complete, 0);
+    EXPECT_TRUE(listener.problems.empty());
+  }
+}
+
 TEST(SeriesAnalysis, SaysWhatRestsAndAcknowledgesTheEnd) {
   Listener listener;
   listener.hear(messages_of(small_scene(SceneKind::kContact), 0));
@@ -306,6 +332,10 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"ASampleThatGoesBack",
                to<Forces>(9, [](auto& m) { std::swap(m.sample_time[0], m.sample_time[1]); }),
                "a sample of"},
+        Damage{"ASampleTwice", to<Forces>(9, [](auto& m) { m.sample_time[1] = m.sample_time[0]; }),
+               "a sample of"},
+        Damage{"ARunAfterTheLast",
+               to<lattice_impact::RunStatus>(1, [](auto& m) { m.runs = m.run; }), "run 0 of 0"},
         Damage{"AnotherTime", to<Forces>(9, [](auto& m) { m.time += 1e-9; }), "of the forces"},
         Damage{"AnotherStep", to<States>(9, [](auto& m) { ++m.step; }), "of the forces"},
         Damage{"AForceOnAPointThatIsNotThere",

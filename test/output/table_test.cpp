@@ -19,6 +19,17 @@ TEST(Table, WritesLinesOfNumbersAndTexts) {
   EXPECT_FALSE(std::filesystem::exists(path.string() + ".part"));
 }
 
+/// /dev/full takes nothing.
+TEST(Table, LeavesTheOldOneWhereThereIsNoSpace) {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "old_table.csv";
+  for (const char* const end : {"", ".part"}) std::filesystem::remove(path.string() + end);
+  std::ofstream(path) << "old\n";
+  std::filesystem::create_symlink("/dev/full", path.string() + ".part");
+  EXPECT_THROW(Table({"x"}).write(path), std::runtime_error);
+  std::ifstream file(path);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "old\n");
+}
+
 TEST(Table, SaysWhenItCannotBeWritten) {
   EXPECT_THROW(Table({"x"}).write("/no/such/folder/table.csv"), std::runtime_error);
 }

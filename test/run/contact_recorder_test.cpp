@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "mechanics/simulation.hpp"
 #include "run/compose.hpp"
 
@@ -34,6 +37,7 @@ TEST(ContactRecorder, ReportsSumUpToTheWholeCourse) {
       EXPECT_GE(point.force.y(), kContactForce);
     }
     impulse += report.impulse;
+    EXPECT_NEAR(impulse, simulation.state().velocity.col(1).mean() - momentum, 1e-13);
     peak = std::max(peak, report.peak_force);
     samples += report.samples.size();
     listed = std::max(listed, report.points.size());
@@ -42,7 +46,23 @@ TEST(ContactRecorder, ReportsSumUpToTheWholeCourse) {
   EXPECT_GT(peak, 10 * kContactForce);
   EXPECT_GT(listed, 0U);
   EXPECT_LT(listed, 50U);
-  EXPECT_NEAR(impulse, simulation.state().velocity.col(1).mean() - momentum, 1e-13);
+}
+
+/// A contact starts where one point carries the load.
+TEST(ContactRecorder, BeginsWithTheForceAtTheStart) {
+  Scene scene;
+  scene.kind = SceneKind::kContact;
+  scene.disk.recipe.points = 50;
+  scene.numerics.integrator = IntegratorKind::kVerlet;
+  scene.material.eta = 10.0;
+  Composition composition = compose(scene);
+  const Simulation simulation(std::move(composition.field), std::move(composition.initial),
+                              composition.rates.lattice, composition.resolution.step);
+  ContactRecorder recorder(simulation, 0.0);
+  const ContactReport report = recorder.take(simulation).on_disk;
+  EXPECT_GT(report.peak_force, 0.9 * scene.load.p);
+  EXPECT_EQ(report.peak_force, report.total.y());
+  EXPECT_EQ(report.impulse, 0.0);
 }
 
 /// What the disk feels, the elastic wall feels the other way.

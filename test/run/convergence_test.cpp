@@ -46,6 +46,29 @@ TEST(Extrapolated, EstimatesByTheNextPower) {
   EXPECT_LT(true_error(result(0.1)), result(0.1).error);
 }
 
+/// Without its h⁴ the limit of the finer two runs is off by B h_middle² h_fine², for A h² + B h⁴.
+TEST(Extrapolated, DoubtsTheLimitByTwiceItsLastCorrection) {
+  const auto runs = runs_of([](double h) { return h * h + 5.0 * std::pow(h, 4); }, 3);
+  const double correction = 5.0 * std::pow(runs[1].step * runs[2].step, 2);
+  // The weights of the runs let rounding of 10⁻¹⁶ grow to some 10⁻¹⁵.
+  EXPECT_NEAR(extrapolated(runs[0], runs[1], runs[2], 2).error, 2.0 * correction, 1e-14);
+}
+
+/// Errors of A h: A (h_coarsest − h_finest) over h_coarsest/h_finest − 1 is that of the finest.
+TEST(Compared, OfFirstOrderIsThreeTimesTheError) {
+  const auto runs = runs_of([](double h) { return 0.1 * h; }, 4);
+  for (const bool scatter : {false, true}) {
+    EXPECT_NEAR(compared(runs, scatter).error, 3.0 * 0.1 * 0.01, 1e-14);
+  }
+}
+
+/// Steps far apart take nothing off the range of values that scatter.
+TEST(Compared, OfScatterIsThreeTimesTheRange) {
+  const std::vector<Sample> runs{{0.1, 1.0}, {0.05, 1.3}, {0.01, 1.2}};
+  EXPECT_DOUBLE_EQ(compared(runs, true).error, 3.0 * 0.3);
+  EXPECT_DOUBLE_EQ(compared(runs, false).error, 3.0 * 0.3 / 9.0);
+}
+
 struct Sequence {
   const char* name;
   Law error;
@@ -123,16 +146,38 @@ TEST(Converged, DoesNotExtrapolateByAnOrderThatIsNotSeen) {
   EXPECT_NE(converged(second, 2).value, second.back().value);
 }
 
+/// An order p is seen from p − 0.25 to p + 0.5, and within 0.5 of p + 2.
+TEST(Converged, TakesOnlyPowersNearTheOrderForIt) {
+  for (const double power : {1.7, 1.8, 2.45, 2.6, 3.4, 3.6, 4.4, 4.6}) {
+    const auto runs = runs_of([power](double h) { return std::pow(h / 0.1, power); }, 3);
+    const bool is_near = (power > 1.75 && power < 2.5) || (power > 3.5 && power < 4.5);
+    EXPECT_EQ(converged(runs, 2).value != runs.back().value, is_near) << power;
+  }
+}
+
+/// Limits of four runs that themselves converge with order p differ by the error of the finer times
+/// 1.2ᵖ − 1.
+TEST(Converged, DoubtsTheLimitByThatOfTheCoarserRuns) {
+  auto runs = runs_of([](double h) { return 0.1 * h * h; }, 4);
+  runs.front().value += 1e-7;
+  const double before = extrapolated(runs[0], runs[1], runs[2], 2).value;
+  EXPECT_NEAR(converged(runs, 2).value, 1.0, 1e-14);
+  EXPECT_NEAR(converged(runs, 2).error, std::abs(before - 1.0) / (1.2 * 1.2 - 1.0), 1e-13);
+}
+
 /// Three runs that show an order count if the three before them show it too: here the coarsest run
 /// is too coarse, and the other three agree with order 2 by themselves.
 TEST(Converged, BelievesAnOrderThatWasNotSeenBeforeOnlyTwice) {
-  auto runs = runs_of([](double h) { return 0.1 * h * h; }, 5);
-  runs[0].value += 1.0;
-  const std::vector<Sample> four(runs.begin(), runs.end() - 1);
-  EXPECT_EQ(converged(four, 2).value, four.back().value);
-  EXPECT_EQ(converged(four, 2).error, compared({four.begin() + 1, four.end()}, false).error);
-  const std::vector<Sample> next(runs.begin() + 1, runs.end());
-  EXPECT_NEAR(converged(next, 2).value, 1.0, 1e-14);
+  // The latter makes the first power 1.6.
+  for (const double off : {1.0, -1e-6}) {
+    auto runs = runs_of([](double h) { return 0.1 * h * h; }, 5);
+    runs[0].value += off;
+    const std::vector<Sample> four(runs.begin(), runs.end() - 1);
+    EXPECT_EQ(converged(four, 2).value, four.back().value);
+    EXPECT_EQ(converged(four, 2).error, compared({four.begin() + 1, four.end()}, false).error);
+    const std::vector<Sample> next(runs.begin() + 1, runs.end());
+    EXPECT_NEAR(converged(next, 2).value, 1.0, 1e-14);
+  }
 }
 
 TEST(Converged, OfEqualRunsHasNoError) {

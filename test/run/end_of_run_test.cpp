@@ -180,6 +180,18 @@ TEST(SeparationEnd, OfRandomDisksAboveElasticWallsIsForGood) {
   }
 }
 
+/// A hundredth of the error of the force k_a x + k_b x³ on a bond of √(π/N) R.
+TEST(NegligibleStaticForce, OfAStretchGoesWithTheStiffnessOfABond) {
+  Scene scene;
+  scene.kind = SceneKind::kStretch;
+  scene.disk.recipe.points = 100;
+  scene.material.k_b = 1e3;
+  scene.stretch.strain = 0.1;
+  const double x = 0.1 * std::sqrt(M_PI / 100);
+  EXPECT_DOUBLE_EQ(negligible_static_force(scene, 100, 1.0),
+                   (1.0 + 3.0 * 1e3 * x * x) * 0.01 * 1e-4 * x);
+}
+
 TEST(RestEnd, IsReachedOnlyAtRest) {
   Scene scene;
   scene.kind = SceneKind::kContact;

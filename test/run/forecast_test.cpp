@@ -13,7 +13,7 @@
 namespace impact {
 namespace {
 
-Scene absorbing_wall() {
+Scene default_absorbing_wall() {
   Scene scene;
   scene.wall.kind = WallKind::kLattice;
   return scene;
@@ -52,7 +52,7 @@ TEST(Forecast, IsWhatARunTakes) {
   given.numerics.step = 0.001;
   Scene large;
   large.disk.recipe.points = 10000;
-  for (const Scene& scene : {Scene{}, slow, damped, given, large, absorbing_wall()}) {
+  for (const Scene& scene : {Scene{}, slow, damped, given, large, default_absorbing_wall()}) {
     impact::Run run(scene);
     while (!run.finished()) run.advance();
     const double runs = scene.numerics.step ? 1.0 : 3.0;
@@ -67,10 +67,10 @@ TEST(Forecast, GrowsWithPointsAndWithShorterSteps) {
   Scene large;
   large.disk.recipe.points = 1000000;
   EXPECT_GT(forecast(large).seconds, 1e4 * small);  // N^(3/2) at least
-  EXPECT_GT(forecast(absorbing_wall()).seconds, 2.0 * small);
-  Scene reset = absorbing_wall();
+  EXPECT_GT(forecast(default_absorbing_wall()).seconds, 2.0 * small);
+  Scene reset = default_absorbing_wall();
   reset.wall.reset_interval = 1e-6;
-  EXPECT_GT(forecast(reset).seconds, 1000.0 * forecast(absorbing_wall()).seconds);
+  EXPECT_GT(forecast(reset).seconds, 1000.0 * forecast(default_absorbing_wall()).seconds);
 }
 
 TEST(Forecast, KnowsThatLightContactsRelaxForLong) {
@@ -104,7 +104,7 @@ TEST(RefuseIfTooLong, NamesTheKeysThatAreToBlame) {
   many.numerics.longest = 60.0;
   many.disk.recipe.points = 1000000;
   EXPECT_INPUT_ERROR(refuse_if_too_long(many), "(disk.points), allowed: at most 60 s");
-  Scene reset = absorbing_wall();
+  Scene reset = default_absorbing_wall();
   reset.wall.reset_interval = 1e-6;
   reset.numerics.longest = 60.0;
   EXPECT_INPUT_ERROR(refuse_if_too_long(reset), "(wall.reset_interval)");

@@ -70,7 +70,9 @@ TEST(Bdf, TakesInAVelocityReset) {
   const double elongation = oscillator.elongation();
   oscillator.state.velocity.setZero();
   integrator.take_velocity(oscillator.field, oscillator.state);
-  integrator.step(oscillator.field, oscillator.state, 2.0);
+  const double energy = oscillator.energy();
+  const Losses lost = integrator.step(oscillator.field, oscillator.state, 2.0);
+  EXPECT_NEAR(lost.dissipated, energy - oscillator.energy(), 300 * kTolerance * energy);
   EXPECT_NEAR(oscillator.elongation() / elongation, oscillator.exact(2.0) / Oscillator::kStretch,
               300 * kTolerance);
 }

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/SparseCore>
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 #include "lattice/placement.hpp"
@@ -77,6 +80,29 @@ INSTANTIATE_TEST_SUITE_P(Recipes, FlexibilityOf,
                                          Recipe{Placement::kBlueNoise, false},
                                          Recipe{Placement::kUniform, true},
                                          Recipe{Placement::kUniform, false}));
+
+/// The frequency of the lowest mode that is not rigid, from all eigenvalues; the mass is 1.
+double lowest_frequency(const Lattice& lattice) {
+  const auto entries = BondForces(lattice, {1.0, 0.0, 0.0}).stiffness(lattice.points);
+  const Eigen::Index coordinates = 2 * lattice.points.rows();
+  Eigen::SparseMatrix<double> stiffness(coordinates, coordinates);
+  stiffness.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(Eigen::MatrixXd(stiffness),
+                                                             Eigen::EigenvaluesOnly);
+  return std::sqrt(modes.eigenvalues()(3) * static_cast<double>(lattice.points.rows()));
+}
+
+TEST(Flexibility, HasAFrequencyBelowThatOfTheLowestMode) {
+  for (const Placement placement : {Placement::kBlueNoise, Placement::kUniform}) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      const Lattice lattice = triangulated_lattice(place_in_disk({150, placement, true}, seed));
+      const double exact = lowest_frequency(lattice);
+      EXPECT_LT(computed_flexibility(lattice).lowest_frequency, exact);
+      EXPECT_LT(estimated_flexibility(lattice).lowest_frequency, exact);
+      EXPECT_GT(2.0 * estimated_flexibility(lattice).lowest_frequency, exact);
+    }
+  }
+}
 
 TEST(Flexibility, OfWallsIsEstimatedSafely) {
   for (const double width : {1.0, 2.0, 3.0, 6.0}) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "test_lattices.hpp"
 
 namespace impact {
@@ -17,6 +19,18 @@ Lattice patch(int side) {
 TEST(Triangles, FindsAllOfAPatch) {
   for (const int side : {2, 3, 6}) {
     EXPECT_EQ(Triangles(patch(side)).size(), 2U * (side - 1) * (side - 1));
+  }
+}
+
+/// Wherever the bonds of a point begin to be counted around it.
+TEST(Triangles, AreTheSameAtEveryAngle) {
+  const Lattice lattice = patch(4);
+  for (int k = 1; k < 12; ++k) {
+    const double angle = k * M_PI / 6.0 + 0.1;
+    PointArray turned(lattice.points.rows(), 2);
+    turned << std::cos(angle) * lattice.points.col(0) - std::sin(angle) * lattice.points.col(1),
+        std::sin(angle) * lattice.points.col(0) + std::cos(angle) * lattice.points.col(1);
+    EXPECT_EQ(Triangles(make_lattice(turned, lattice.bonds)).size(), 2U * 3 * 3) << angle;
   }
 }
 
