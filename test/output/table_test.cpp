@@ -22,10 +22,12 @@ TEST(Table, WritesLinesOfNumbersAndTexts) {
 /// /dev/full takes nothing.
 TEST(Table, LeavesTheOldOneWhereThereIsNoSpace) {
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "old_table.csv";
-  std::ofstream(path) << "old\n";
+  std::filesystem::remove(path);
   std::filesystem::remove(path.string() + ".part");
+  std::ofstream(path) << "old\n";
   std::filesystem::create_symlink("/dev/full", path.string() + ".part");
   EXPECT_THROW(Table({"x"}).write(path), std::runtime_error);
+  ASSERT_TRUE(std::filesystem::is_regular_file(path));
   std::ifstream file(path);
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "old\n");
 }
