@@ -71,6 +71,18 @@ TEST(ImpactAnalysis, MeasuresAnObliqueImpact) {
   EXPECT_DOUBLE_EQ(std::pow(result.energy_restitution, 2), 2.5 / 15.0);
 }
 
+/// A disk that leaves swollen has the spin that it will have at its size before: L/I.
+TEST(ImpactAnalysis, MeasuresSpinByTheMomentOfInertiaBefore) {
+  ImpactAnalysis analysis;
+  analysis.add(square_with_velocity(0.0, -2.0, 0.0));
+  State swollen = square_with_velocity(0.0, 1.5, 0.5);
+  swollen.position *= 2.0;
+  analysis.add(swollen);
+  const Restitution result = analysis.restitution(true);
+  EXPECT_DOUBLE_EQ(result.spin_after, 2.0 * 0.5);
+  EXPECT_DOUBLE_EQ(result.energy_restitution, std::sqrt((2.25 + 2.0 * 1.0) / 4.0));
+}
+
 TEST(ImpactAnalysis, DoesNotDependOnHowOftenItIsTold) {
   const Restitution often = analysed(1, true);
   const Restitution seldom = analysed(10, true);

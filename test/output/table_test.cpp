@@ -26,6 +26,7 @@ TEST(Table, LeavesTheOldOneWhereThereIsNoSpace) {
   std::ofstream(path) << "old\n";
   std::filesystem::create_symlink("/dev/full", path.string() + ".part");
   EXPECT_THROW(Table({"x"}).write(path), std::runtime_error);
+  ASSERT_TRUE(std::filesystem::is_regular_file(path));
   std::ifstream file(path);
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "old\n");
 }

@@ -50,6 +50,9 @@ TEST(Ensemble, Every) {
   EXPECT_EQ(chosen[0].scene.impact.velocity, 1.0);
   EXPECT_EQ(chosen[2].scene.impact.velocity, 4.0);
   EXPECT_EQ(chosen[3].scene.impact.velocity, 5.0);
+  const auto first_of_each = every(rows, 0, 1, 3);
+  ASSERT_EQ(first_of_each.size(), 2U);
+  EXPECT_EQ(first_of_each[1].scene.impact.velocity, 3.0);
 }
 
 /// For a mean the jackknife is the standard error of the mean, exactly.

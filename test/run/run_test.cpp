@@ -211,6 +211,22 @@ TEST(Collision, StartInsideTheWallIsFlagged) {
   EXPECT_LE(e, run.restitution_bound());
 }
 
+/// A step that is a little too long for the lattice is halved at once, and not again.
+TEST(Collision, OfAReducedStepIsFlagged) {
+  Scene scene;
+  scene.disk.recipe.points = 20;
+  scene.numerics.integrator = IntegratorKind::kVerlet;
+  const auto composition = compose_shared(scene);
+  const double limit =
+      step_limit(IntegratorKind::kVerlet, composition->rates.lattice.omega_squared, 0.0);
+  for (const double share : {0.5, 1.01}) {
+    impact::Run run(scene, composition, {IntegratorKind::kVerlet, share * limit});
+    finish(run);
+    EXPECT_EQ(run.motion().halvings(), share > 1.0 ? 1 : 0);
+    EXPECT_EQ(run.has_flag("step_reduced"), share > 1.0);
+  }
+}
+
 TEST(Collision, ThatNeverEndsIsGivenUpWithAFlag) {
   Scene scene;
   scene.disk.recipe.points = 20;
