@@ -91,6 +91,7 @@ RULES = (
     (r'(LATTICE_IMPACT_WRITE_DOCUMENTS=1 )?build/test/test_\w+ ', only_list),
     (r'(taskset -c 0 )?(build/test/bench_|test/bench/)\w+', only_find),
     (r'/usr/bin/python3 \w+\.py$', run()),
+    (r'test/mutants/mutants\.py', run((r'--only .*', '--list'))),
     (r'rosbag |rostopic |rqt_plot |rosrun plotjuggler |(ROS_NAMESPACE=\w+ )?rviz ', pass_over),
     (r'roslaunch ', launch),
     (r'rosrun lattice_impact (simulation|viewer)_node ', pass_over),
