@@ -171,13 +171,13 @@ std::string RunChecks::fault_of_momentum(double velocity, const Trapezoid& sum, 
 
 std::string RunChecks::fault_of_sliding(const State& start, const Scene& scene) {
   const BodyMotion motion = body_motion(start.position, start.velocity);
-  const double kRounding = 1e-6 * (scene.impact.velocity + std::abs(scene.impact.spin));
+  const double rounding = 1e-6 * (scene.impact.velocity + std::abs(scene.impact.spin));
   const double tangential = scene.impact.tangential_velocity();
-  if (differ(motion.velocity.x(), tangential, kRounding)) {
+  if (differ(motion.velocity.x(), tangential, rounding)) {
     return fmt::format("velocity {} c along x at the start, of the scene {}", motion.velocity.x(),
                        tangential);
   }
-  if (differ(motion.spin(), scene.impact.spin, kRounding)) {
+  if (differ(motion.spin(), scene.impact.spin, rounding)) {
     return fmt::format("spin {} c/R at the start, of the scene {}", motion.spin(),
                        scene.impact.spin);
   }

@@ -10,7 +10,7 @@
 
 namespace impact {
 
-Table::Table(std::vector<std::string> columns)
+Table::Table(const std::vector<std::string>& columns)
     : columns_(columns.size()), text_(csv_line(columns) + "\n") {}
 
 Table& Table::operator<<(double value) {

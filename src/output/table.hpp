@@ -9,7 +9,7 @@ namespace impact {
 /// A table of results, to be written as CSV.
 class Table {
  public:
-  explicit Table(std::vector<std::string> columns);
+  explicit Table(const std::vector<std::string>& columns);
 
   /// Adds a cell to the last line; a full line is followed by a new one. Numbers keep all digits.
   Table& operator<<(double value);

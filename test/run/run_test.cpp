@@ -222,8 +222,8 @@ TEST(Collision, OfAReducedStepIsFlagged) {
   for (const double share : {0.5, 1.01}) {
     impact::Run run(scene, composition, {IntegratorKind::kVerlet, share * limit});
     finish(run);
-    EXPECT_EQ(run.motion().halvings(), share > 1.0 ? 1 : 0);
-    EXPECT_EQ(run.has_flag("step_reduced"), share > 1.0);
+    EXPECT_EQ(run.system().halvings(), share > 1.0 ? 1 : 0);
+    EXPECT_EQ(run.has_flag(Flag::kStepReduced), share > 1.0);
   }
 }
 
