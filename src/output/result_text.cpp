@@ -76,8 +76,8 @@ bool is_nothing(const Entry& entry, double value) {
   constexpr double kRounding = 1e-12;
   const std::string key = entry.key;
   return std::abs(value) < kRounding &&
-         (key == "tangential_velocity_after" || key == "spin_after" || key == "rotation" ||
-          key == "hold_torque");
+         (key == "tangential_velocity_after" || key == "spin_after" || key == "impulse_ratio" ||
+          key == "rotation" || key == "hold_torque");
 }
 
 using Line = std::vector<std::string>;

@@ -40,7 +40,9 @@ TEST(ResultBlock, LeavesOutRounding) {
   const auto block = [](const std::string& result) {
     return result_block(YAML::Load(result), Scene{});
   };
-  EXPECT_EQ(block("{tangential_velocity_after: -1.0e-18, spin_after: 2.0e-17}"), "");
+  EXPECT_EQ(block("{tangential_velocity_after: -1.0e-18, spin_after: 2.0e-17, impulse_ratio: "
+                  "-7.0e-17}"),
+            "");
   EXPECT_EQ(block("{spin_after: 0.25}"), "  spin after  0.25  c/R\n");
 }
 

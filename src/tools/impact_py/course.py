@@ -78,6 +78,11 @@ def title_of(recording):
     parts.append(rf"$\eta^* = {recording.number('material', 'eta'):g}$")
     if "impact" in scene:
         parts.append(f"$v = {recording.number('impact', 'velocity'):g}\\,c$")
+        angle, spin = (recording.number("impact", key, 0.0) for key in ("angle", "spin"))
+        if angle:
+            parts.append(rf"$\gamma = {angle:g}°$")
+        if spin:
+            parts.append(rf"$\omega = {spin:g}\,c/R$")
     if "load" in scene:
         parts.append(f"$P = {recording.number('load', 'P'):g}\\,M c^2/R$")
     if recording.wall is not None:
