@@ -42,7 +42,7 @@ sanitize() {
 }
 
 fuzz() {
-  install clang
+  install clang libclang-rt-dev
   build_beside fuzz fuzzers -DLATTICE_IMPACT_SANITIZE=fuzzer-no-link,address,undefined \
     -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1"
   for name in $fuzzers; do
