@@ -21,24 +21,18 @@ double abscissa(const Scene& scene) {
   return scene.kind == SceneKind::kContact ? scene.load.p : scene.impact.normal_velocity();
 }
 
-/// As YAML, the keys that must be equal for runs to be compared.
-std::string shared_keys(const Scene& scene) {
+/// As YAML, all keys of the scene but the seed and this one.
+std::string keys_but(const char* part, const char* key, const Scene& scene) {
   YAML::Node keys = write_parameters(scene_parameters(), scene);
   keys.remove("seed");
-  if (scene.kind == SceneKind::kContact) {
-    keys["load"].remove("P");
-  } else {
-    keys["impact"].remove("velocity");
-  }
+  keys[part].remove(key);
   return YAML::Dump(keys) + "\n";
 }
 
-/// The same for runs that are compared by their angle.
-std::string keys_shared_by_angles(const Scene& scene) {
-  YAML::Node keys = write_parameters(scene_parameters(), scene);
-  keys.remove("seed");
-  keys["impact"].remove("angle");
-  return YAML::Dump(keys) + "\n";
+/// The keys that must be equal for runs to be compared.
+std::string shared_keys(const Scene& scene) {
+  return scene.kind == SceneKind::kContact ? keys_but("load", "P", scene)
+                                           : keys_but("impact", "velocity", scene);
 }
 
 std::string shared_keys_without_damping(Scene scene) {
@@ -107,7 +101,7 @@ void SeriesFits::add(const ClosedRun& run) {
 }
 
 void SeriesFits::add_by_angle(const ClosedRun& run) {
-  const std::string key = keys_shared_by_angles(run.scene);
+  const std::string key = keys_but("impact", "angle", run.scene);
   Group& group = group_of(by_angle_, run.scene, key);
   if (can_be_fitted(run)) {
     group.answers[run.scene.impact.angle].push_back(run.answer);
