@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "measure/contact_time.hpp"
-#include "mechanics/wall_contact.hpp"
+#include "mechanics/contact.hpp"
 
 namespace impact {
 

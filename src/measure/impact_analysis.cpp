@@ -8,21 +8,49 @@ namespace {
 /// Of the disk's speed, what a throw straight at the wall may slide at.
 constexpr double kRounding = 1e-12;
 
-/// Twice the energy of the spin, M c², with this moment of inertia.
-double rotation(const BodyMotion& motion, double moment_of_inertia) {
-  return motion.angular_momentum * motion.angular_momentum / moment_of_inertia;
+/// Twice the energy of the spin over the mass, c², with the inertia that the body had.
+double rotation(const BodyMotion& now, const BodyMotion& before) {
+  return now.angular_momentum * now.angular_momentum / before.moment_of_inertia;
 }
 
-/// Twice the energy of translation and rotation, M c², with this moment of inertia.
-double rigid_energy(const BodyMotion& motion, double moment_of_inertia) {
-  return motion.velocity.square().sum() + rotation(motion, moment_of_inertia);
-}
+double squared(double number) { return number * number; }
 
 }  // namespace
 
 void ImpactAnalysis::add(const State& state) {
-  latest_ = body_motion(state.position, state.velocity);
+  latest_.first = body_motion(state.position, state.velocity);
   if (!before_) before_ = latest_;
+}
+
+void ImpactAnalysis::add(const State& state, const State& second) {
+  latest_.second = body_motion(second.position, second.velocity);
+  latest_.second_mass =
+      static_cast<double>(second.position.rows()) / static_cast<double>(state.position.rows());
+  if (!before_) second_radius_ = second.position.col(1).maxCoeff() - latest_.second->centre.y();
+  add(state);
+}
+
+/// Twice the energies of the rigid motion of what flies, M c².
+ImpactAnalysis::Shares ImpactAnalysis::shares(const Motions& motions) const {
+  const auto& [first, second, mass] = motions;
+  Shares shares{squared(first.velocity.y()), squared(first.velocity.x()),
+                rotation(first, before_->first)};
+  if (second) {
+    shares.normal += mass * squared(second->velocity.y());
+    shares.tangential += mass * squared(second->velocity.x());
+    shares.rotation += mass * rotation(*second, *before_->second);
+  }
+  return shares;
+}
+
+/// Of the first body's surface where it touches, along what it touches.
+double ImpactAnalysis::sliding(const Motions& motions) const {
+  const auto& [first, second, mass] = motions;
+  const double of_first =
+      first.velocity.x() + first.angular_momentum / before_->first.moment_of_inertia;
+  if (!second) return of_first;
+  const double spin = second->angular_momentum / before_->second->moment_of_inertia;
+  return of_first - (second->velocity.x() - second_radius_ * spin);
 }
 
 void ImpactAnalysis::add(const ContactReport& report) {
@@ -37,30 +65,32 @@ void ImpactAnalysis::add(const ContactReport& report) {
 
 Restitution ImpactAnalysis::restitution(bool separated) const {
   Restitution result;
-  if (before_) {
-    result.velocity_before = before_->velocity.y();
-    result.tangential_velocity_before = before_->velocity.x();
-    result.spin_before = before_->spin();
-    result.moment_of_inertia = before_->moment_of_inertia;
-  }
   result.contact_begin = contact_.begin();
-  if (!before_ || !separated) return result;
-  result.velocity_after = latest_.velocity.y();
+  if (!before_) return result;
+  const BodyMotion& before = before_->first;
+  const BodyMotion& after = latest_.first;
+  result.velocity_before = before.velocity.y();
+  result.tangential_velocity_before = before.velocity.x();
+  result.spin_before = before.spin();
+  result.moment_of_inertia = before.moment_of_inertia;
+  const double energy = shares(*before_).sum();
+  result.energy_before = 0.5 * energy;
+  if (!separated) return result;
+  result.velocity_after = after.velocity.y();
   result.restitution = -result.velocity_after / result.velocity_before;
-  result.tangential_velocity_after = latest_.velocity.x();
-  result.spin_after = latest_.angular_momentum / before_->moment_of_inertia;
-  const double inertia = result.moment_of_inertia;
-  const double energy = rigid_energy(*before_, inertia);
-  result.energy_restitution = std::sqrt(rigid_energy(latest_, inertia) / energy);
-  result.normal_energy = latest_.velocity.y() * latest_.velocity.y() / energy;
-  result.tangential_energy = latest_.velocity.x() * latest_.velocity.x() / energy;
-  result.rotation_energy = rotation(latest_, inertia) / energy;
-  const double sliding = before_->velocity.x() + result.spin_before;
-  if (std::abs(sliding) > kRounding * std::sqrt(energy)) {
-    result.tangential_restitution = -(latest_.velocity.x() + result.spin_after) / sliding;
+  result.tangential_velocity_after = after.velocity.x();
+  result.spin_after = after.angular_momentum / before.moment_of_inertia;
+  const Shares left = shares(latest_);
+  result.energy_restitution = std::sqrt(left.sum() / energy);
+  result.normal_energy = left.normal / energy;
+  result.tangential_energy = left.tangential / energy;
+  result.rotation_energy = left.rotation / energy;
+  const double slid = sliding(*before_);
+  if (std::abs(slid) > kRounding * std::sqrt(energy)) {
+    result.tangential_restitution = -sliding(latest_) / slid;
   }
-  result.impulse_ratio = (latest_.velocity.x() - before_->velocity.x()) /
-                         (latest_.velocity.y() - before_->velocity.y());
+  result.impulse_ratio =
+      (after.velocity.x() - before.velocity.x()) / (after.velocity.y() - before.velocity.y());
   result.contact_end = contact_.end();
   result.contact_duration = contact_.duration();
   result.peak_force = contact_.peak_force();

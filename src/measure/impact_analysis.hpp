@@ -9,13 +9,15 @@
 
 namespace impact {
 
-/// What an impact did to the disk; NaN for what is not known yet.
+/// What an impact did to the disk; NaN for what is not known yet. Where it met another disk,
+/// velocities are as seen from the common centre of mass, and energies are those of both.
 struct Restitution {
   static constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   double velocity_before = kNaN;             ///< of the centre of mass along y, c
   double tangential_velocity_before = kNaN;  ///< of the centre of mass along x, c
   double spin_before = kNaN;                 ///< as spin_after, c/R
   double moment_of_inertia = kNaN;           ///< about the centre of mass, at the start, M R²
+  double energy_before = kNaN;               ///< of the rigid motion at the start, M c²
   double velocity_after = kNaN;              ///< of the centre of mass along y, c
   double restitution = kNaN;                 ///< e = −velocity_after/velocity_before
   double tangential_velocity_after = kNaN;   ///< of the centre of mass along x, c
@@ -30,8 +32,9 @@ struct Restitution {
   double contact_duration = kNaN;  ///< R/c
   double peak_force = kNaN;        ///< M c²/R
   double impulse = kNaN;           ///< of the wall along y, M c
-  /// β = −g′/g, g = v_x + ω R the velocity along the wall of the disk's surface above the wall: −1
-  /// where it slides on, 1 where it turns back. NaN where g was zero.
+  /// β = −g′/g, g = v_x + ω R the velocity along the wall of the disk's surface above the wall, or
+  /// along the top of the other disk and less that of it: −1 where it slides on, 1 where it turns
+  /// back. NaN where g was zero.
   double tangential_restitution = kNaN;
   /// The change of the momentum along x over that along y: what friction would have as its
   /// coefficient.
@@ -48,14 +51,31 @@ struct Restitution {
 class ImpactAnalysis {
  public:
   void add(const State& state);
+  /// Of a disk and of another one that it meets.
+  void add(const State& state, const State& second);
   void add(const ContactReport& report);
 
   /// `separated`: the last state given is one after the disk has left for good.
   Restitution restitution(bool separated) const;
 
  private:
-  std::optional<BodyMotion> before_;
-  BodyMotion latest_;
+  struct Motions {
+    BodyMotion first;
+    std::optional<BodyMotion> second;  ///< of a body that is free too
+    double second_mass = 0.0;          ///< M
+  };
+  struct Shares {
+    double normal;
+    double tangential;
+    double rotation;
+    double sum() const { return normal + tangential + rotation; }
+  };
+  Shares shares(const Motions& motions) const;
+  double sliding(const Motions& motions) const;
+
+  std::optional<Motions> before_;
+  Motions latest_;
+  double second_radius_ = 0.0;  ///< R, from the centre of mass to where it is touched
   ContactTime contact_;
   std::optional<ForceSample> last_sample_;
   double impulse_ = 0.0;

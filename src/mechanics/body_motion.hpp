@@ -18,6 +18,11 @@ struct BodyMotion {
 BodyMotion body_motion(const Eigen::Ref<const PointArray>& position,
                        const Eigen::Ref<const PointArray>& velocity);
 
+/// Positions as seen from the centre of mass.
+inline PointArray about_the_centre(const ConstPoints& position) {
+  return position.rowwise() - position.colwise().mean();
+}
+
 /// Angle (rad, counter-clockwise, -π … π) of the rigid rotation that brings `reference` closest to
 /// `position` in the sense of least squares, both taken about their centres of mass.
 double rigid_rotation(const PointArray& reference, const PointArray& position);

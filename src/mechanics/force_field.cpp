@@ -67,28 +67,48 @@ double ForceField::wall_potential_energy(const PointArray& position) const {
 }
 
 EnergyLedger ForceField::ledger(const impact::State& state, const impact::Losses& losses) const {
-  const Eigen::Index all = state.position.rows();
-  const Eigen::Index disk = all - wall_points;
-  const auto velocity = state.velocity.topRows(disk);
-  const BodyMotion motion = body_motion(state.position.topRows(disk), velocity);
   EnergyLedger ledger;
-  ledger.kinetic_translation = 0.5 * motion.velocity.square().sum();
-  ledger.kinetic_rotation = 0.5 * motion.angular_momentum * motion.spin();
-  ledger.kinetic_internal = 0.5 * point_mass * velocity.square().sum() -
-                            ledger.kinetic_translation - ledger.kinetic_rotation;
-  ledger.bonds = bonds.potential_energy(state.position, 0, disk);
+  enter_free(first_body(), state, ledger);
   ledger.dissipated = losses.dissipated;
   ledger.absorbed = losses.absorbed;
-  if (wall_points > 0) {
-    ledger.wall_lattice = 0.5 * point_mass * state.velocity.bottomRows(wall_points).square().sum() +
-                          bonds.potential_energy(state.position, disk, all);
+  if (second_body && second_body->is_free) {
+    enter_free(*second_body, state, ledger);
+  } else if (second_body) {
+    ledger.wall_lattice = kinetic_energy(*second_body, state) + bond_energy(*second_body, state);
   }
   for_each_term([&](const auto& term) { term.enter(state.position, ledger); });
   return ledger;
 }
 
-const WallContact* ForceField::contact() const {
+void ForceField::enter_free(const Body& body, const impact::State& state,
+                            EnergyLedger& ledger) const {
+  const BodyMotion motion = body_motion(body.rows_of(state.position), body.rows_of(state.velocity));
+  const double mass = mass_of(body);
+  const double translation = 0.5 * mass * motion.velocity.square().sum();
+  const double rotation = 0.5 * mass * motion.angular_momentum * motion.spin();
+  ledger.kinetic_translation += translation;
+  ledger.kinetic_rotation += rotation;
+  ledger.kinetic_internal += kinetic_energy(body, state) - translation - rotation;
+  ledger.bonds += bond_energy(body, state);
+}
+
+double ForceField::reduced_mass() const {
+  if (!second_body || !second_body->is_free) return 1.0;
+  const double mass = mass_of(*second_body);
+  return mass / (1.0 + mass);
+}
+
+double ForceField::kinetic_energy(const Body& body, const impact::State& state) const {
+  return 0.5 * point_mass * body.rows_of(state.velocity).square().sum();
+}
+
+double ForceField::bond_energy(const Body& body, const impact::State& state) const {
+  return bonds.potential_energy(state.position, body.first, body.first + body.points);
+}
+
+const Contact* ForceField::contact() const {
   if (wall) return &*wall;
+  if (disk_contact) return &*disk_contact;
   return elastic_wall ? &*elastic_wall : nullptr;
 }
 

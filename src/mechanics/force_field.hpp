@@ -7,10 +7,12 @@
 #include <type_traits>
 #include <vector>
 
+#include "mechanics/body.hpp"
 #include "mechanics/bond_forces.hpp"
 #include "mechanics/centrifugal_force.hpp"
 #include "mechanics/compression_load.hpp"
-#include "mechanics/elastic_wall.hpp"
+#include "mechanics/contact.hpp"
+#include "mechanics/disk_contact.hpp"
 #include "mechanics/energy_ledger.hpp"
 #include "mechanics/force_term.hpp"
 #include "mechanics/losses.hpp"
@@ -18,6 +20,7 @@
 #include "mechanics/rotation_hold.hpp"
 #include "mechanics/state.hpp"
 #include "mechanics/supports.hpp"
+#include "mechanics/surface_contact.hpp"
 #include "mechanics/velocity_reset.hpp"
 #include "mechanics/viscous_boundary.hpp"
 
@@ -26,8 +29,7 @@ namespace impact {
 class DampingSolver;
 
 /// All that acts on the points of one scene: its bonds and, only if the scene has them, a wall, a
-/// load, constraints and a boundary. All arrays have one row a point: those of the disk and, after
-/// them, those of an elastic wall.
+/// load, constraints and a boundary. All arrays have one row a point, body by body.
 struct ForceField {
   /// By which integrators know what they move.
   using Number = double;
@@ -38,10 +40,11 @@ struct ForceField {
   using DampingSolver = impact::DampingSolver;
 
   BondForces bonds;
-  double point_mass = 1.0;       ///< M
-  Eigen::Index wall_points = 0;  ///< the last rows of all arrays, those of an elastic wall
+  double point_mass = 1.0;            ///< M
+  std::optional<Body> second_body{};  ///< what the first one meets, after it in all arrays
   std::optional<PotentialWall> wall{};
-  std::optional<ElasticWall> elastic_wall{};
+  std::optional<SurfaceContact> elastic_wall{};
+  std::optional<DiskContact> disk_contact{};
   std::optional<CompressionLoad> load{};
   std::optional<CentrifugalForce> centrifugal{};
   std::optional<ViscousBoundary> viscous_boundary{};
@@ -52,8 +55,9 @@ struct ForceField {
   /// All terms but the bonds, in the order in which their forces are added.
   template <class Field>
   static auto every_term(Field& field) {
-    return std::tie(field.wall, field.elastic_wall, field.load, field.centrifugal,
-                    field.viscous_boundary, field.velocity_reset, field.hold, field.supports);
+    return std::tie(field.wall, field.elastic_wall, field.disk_contact, field.load,
+                    field.centrifugal, field.viscous_boundary, field.velocity_reset, field.hold,
+                    field.supports);
   }
   /// Calls use(term) for each term that the scene has.
   template <class Use>
@@ -97,6 +101,21 @@ struct ForceField {
   /// same after it.
   bool shifts_freely(int axis) const;
 
+  /// The disk that the scene is about.
+  Body first_body() const { return {0, bonds.points() - second_points(), true}; }
+  Eigen::Index second_points() const { return second_body ? second_body->points : 0; }
+  /// In M; that of the first body is 1 M.
+  double mass_of(const Body& body) const {
+    return static_cast<double>(body.points) / static_cast<double>(first_body().points);
+  }
+  /// Of the bodies that meet, in M: of the first alone at a wall.
+  double reduced_mass() const;
+  /// Of the motion of the centres of mass against each other along one direction, where the first
+  /// moves at this velocity (c) as seen from the centre of mass of all that is free, in M c².
+  double impact_energy(double velocity) const { return 0.5 * velocity * velocity / reduced_mass(); }
+  double kinetic_energy(const Body& body, const impact::State& state) const;  ///< M c²
+  double bond_energy(const Body& body, const impact::State& state) const;     ///< M c²
+
   void resize(PointArray& all_points) const { all_points.resize(bonds.points(), 2); }
 
   /// The power that a viscous boundary would absorb at these velocities (M c³/R).
@@ -104,13 +123,21 @@ struct ForceField {
     return viscous_boundary ? viscous_boundary->power(velocity) : 0.0;
   }
 
-  /// The wall that the scene has; none: nullptr.
-  const WallContact* contact() const;
+  /// What the first body meets; none: nullptr.
+  const Contact* contact() const;
+
+  /// See Contact::count_hops().
+  void count_hops(const ConstPoints& position) {
+    if (elastic_wall) elastic_wall->count_hops(position);
+    if (disk_contact) disk_contact->count_hops(position);
+  }
 
   /// Names of the terms that are evaluated.
   std::vector<std::string> terms() const;
 
  private:
+  void enter_free(const Body& body, const impact::State& state, EnergyLedger& ledger) const;
+
   template <class Field, class Use>
   static void visit(Field& field, const Use& use) {
     const auto visit_one = [&](auto& term) {

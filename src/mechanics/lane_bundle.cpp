@@ -89,11 +89,11 @@ void LaneBundle::take_step(LaneMotion& motion, const LaneLosses& lost, std::uint
   const int lane = motion.lane_;
   ForceField& field = motion.field_;
   field.evaluations += evaluations;
-  if (field.elastic_wall) {
-    field.elastic_wall->count_hops(state_.position.lane(lane));
-  } else {
+  if (field.wall) {
     const WallForce wall = field_.wall_force(lane);
     field.wall->take_in({0.0, wall.total}, wall.largest);
+  } else {
+    field.count_hops(state_.position.lane(lane));
   }
   motion.is_current_ = false;
   motion.count_step({lost.dissipated(lane), lost.absorbed(lane)});
@@ -112,12 +112,12 @@ void LaneBundle::look_at_speeds() {
   const Eigen::Index points = state_.velocity.points();
   auto* const any =
       std::find_if(motions_.begin(), motions_.end(), [](auto* m) { return m != nullptr; });
-  const Eigen::Index of_wall = (*any)->field_.wall_points;
+  const Eigen::Index of_second = (*any)->field_.second_points();
   const LaneKernels& lanes = kernels().lanes;
-  lanes.speeds(velocity, points - of_wall, squared.data(), down.data(), unused.data());
-  if (of_wall > 0) {
-    lanes.speeds(velocity + Eigen::Index{2} * kLanes * (points - of_wall), of_wall, squared.data(),
-                 unused.data(), up.data());
+  lanes.speeds(velocity, points - of_second, squared.data(), down.data(), unused.data());
+  if (of_second > 0) {
+    lanes.speeds(velocity + Eigen::Index{2} * kLanes * (points - of_second), of_second,
+                 squared.data(), unused.data(), up.data());
   }
   for (LaneMotion* const motion : motions_) {
     if (motion == nullptr) continue;

@@ -10,11 +10,12 @@ namespace impact {
 
 bool LaneField::knows(const ForceField& field) {
   // The loops of the lanes have either a potential wall, or no damping and what acts by itself.
-  const bool at_a_wall = (field.wall && !field.supports) || (field.elastic_wall && !field.damped());
+  const bool has_contact = (field.wall && !field.supports) ||
+                           ((field.elastic_wall || field.disk_contact) && !field.damped());
   bool known = !field.bonds.has_two_laws();
   field.for_each_term(
       [&](const auto& term) { known = known && std::decay_t<decltype(term)>::kInLanes; });
-  return known && at_a_wall;
+  return known && has_contact;
 }
 
 LaneField::LaneField(const Lattice& lattice, double mass, Kind kind, const Kernels& kernels)
@@ -71,7 +72,8 @@ void LaneField::add_own_terms(const LaneArray& position, LaneArray& force) {
   for (int lane = 0; lane < kLanes; ++lane) {
     ForceField* const field = fields_[static_cast<std::size_t>(lane)];
     if (field == nullptr) continue;
-    field->elastic_wall->add_forces(position.lane(lane), force.lane(lane));
+    if (field->elastic_wall) field->elastic_wall->add_forces(position.lane(lane), force.lane(lane));
+    if (field->disk_contact) field->disk_contact->add_forces(position.lane(lane), force.lane(lane));
     if (field->supports) field->supports->constrain(force.lane(lane));
   }
 }
@@ -93,7 +95,7 @@ LaneNumbers LaneField::evaluate(bool damped, const LaneArray& position, const do
          relative_speeds_squared_.data(),
          relative_speed_squared.data()},
         points_);
-  if (kind_.elastic_wall) {
+  if (kind_.own_terms) {
     add_own_terms(position, force);
   } else {
     kernels_->potential_wall({wall_a_.data(), wall_force_at_zero_.data(), wall_reach_.data()},

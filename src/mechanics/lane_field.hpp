@@ -15,7 +15,7 @@ namespace impact {
 class LaneDampingSolver;
 
 /// The forces of kLanes runs of one lattice, as ForceField has them for one, at a potential wall
-/// or, without damping, an elastic one. Every run has constants of its own. A bond is evaluated
+/// or, without damping, against points. Every run has constants of its own. A bond is evaluated
 /// once, in all lanes at a time. The forces of each run are those of ForceField to the last bit,
 /// whatever is in the other lanes.
 class LaneField {
@@ -31,10 +31,10 @@ class LaneField {
   struct Kind {
     bool cubic = false;
     bool damped = false;
-    bool elastic_wall = false;
+    bool own_terms = false;  ///< what acts on each lane by itself, in place of a potential wall
   };
   static Kind kind_of(const ForceField& field) {
-    return {field.bonds.law().k_b != 0.0, field.damped(), field.elastic_wall.has_value()};
+    return {field.bonds.law().k_b != 0.0, field.damped(), !field.wall};
   }
   /// Whether lanes take over all terms of the field, see set_lane().
   static bool knows(const ForceField& field);
@@ -42,7 +42,7 @@ class LaneField {
   LaneField(const Lattice& lattice, double mass, Kind kind,
             const Kernels& kernels = impact::kernels());
 
-  /// Puts a field of this kind in a lane. Its elastic wall goes on there, and its supports.
+  /// Puts a field of this kind in a lane. Its terms of its own go on there.
   /// @throw std::logic_error for a term that lanes do not know: it would be missing from the
   /// motion.
   void set_lane(int lane, ForceField& field);
@@ -70,7 +70,8 @@ class LaneField {
  private:
   void take(int lane, const PotentialWall& wall);
   // These act on each lane by themselves.
-  void take(int /*lane*/, const ElasticWall& /*wall*/) {}
+  void take(int /*lane*/, const SurfaceContact& /*contact*/) {}
+  void take(int /*lane*/, const DiskContact& /*contact*/) {}
   void take(int /*lane*/, const Supports& /*supports*/) {}
   void take(int /*lane*/, const VelocityReset& /*reset*/) {}
   void add_own_terms(const LaneArray& position, LaneArray& force);

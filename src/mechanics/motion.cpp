@@ -4,18 +4,11 @@
 #include <utility>
 
 namespace impact {
-namespace {
-
-/// Against an elastic wall, which doubles the square of the frequency.
-constexpr double kBothEndsMove = 2.0;
-
-}  // namespace
-
 Motion::Motion(ForceField field, State initial, const Spectrum& spectrum, double step)
     : System(std::move(field), std::move(initial), step), spectrum_(spectrum) {}
 
-void Motion::limit_step(const WallContact& wall, double approach, const StepBound& bound) {
-  const double margin = kWallMargin * (field_.elastic_wall ? kBothEndsMove : 1.0);
+void Motion::limit_step(const Contact& wall, double approach, const StepBound& bound) {
+  const double margin = kWallMargin * wall.moving_ends();
   const auto limit = [&] {
     const double force = wall.largest_force() * std::exp(wall.a() * approach * step_size_);
     const double omega_squared =

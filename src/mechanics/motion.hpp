@@ -24,7 +24,7 @@ class Motion : public System {
   Motion(ForceField field, State initial, const Spectrum& spectrum, double step);
 
   /// Halves the step until it is stable. `approach`: speed (c) of wall and disk towards each other.
-  void limit_step(const WallContact& wall, double approach, const StepBound& bound);
+  void limit_step(const Contact& wall, double approach, const StepBound& bound);
   void count_step(const Losses& lost);
   /// Whether the step that was counted last completes an interval of the field's velocity reset.
   bool reset_is_due() const;

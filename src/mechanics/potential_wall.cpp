@@ -37,7 +37,7 @@ void PotentialWall::add_stiffness(const PointArray& position, MatrixEntries& ent
 
 WallLaw PotentialWall::law() const { return {a(), force_at(0.0), kReach / a()}; }
 
-double PotentialWall::potential_energy(const PointArray& position) const {
+double PotentialWall::potential_energy(const ConstPoints& position) const {
   const double reach = law().reach;
   double energy = 0.0;
   for (const double height : position.col(1)) {
@@ -52,7 +52,7 @@ double PotentialWall::height_of_energy(const PointArray& position, double energy
   return std::log(potential_at(0.0) * sum / energy) / a();
 }
 
-std::vector<PointForce> PotentialWall::contacts(const PointArray& position,
+std::vector<PointForce> PotentialWall::contacts(const ConstPoints& position,
                                                 double least_force) const {
   std::vector<PointForce> contacts;
   const double highest = gap_of_force(least_force);

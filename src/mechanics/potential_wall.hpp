@@ -4,20 +4,20 @@
 
 #include "kernels/kernels.hpp"
 #include "lattice/lattice.hpp"
+#include "mechanics/contact.hpp"
 #include "mechanics/force_term.hpp"
-#include "mechanics/wall_contact.hpp"
 
 namespace impact {
 
 /// The repulsive wall at y = 0 of eqs. (3) and (6): potential V₀ exp(−a y) and force
 /// a V₀ exp(−a y) ŷ on every point. Where a y exceeds 60 a point feels nothing: the potential
 /// there is below 10⁻²⁶ V₀.
-class PotentialWall : public ForceTerm, public WallContact {
+class PotentialWall : public ForceTerm, public Contact {
  public:
   static constexpr const char* kName = "potential wall";
   static constexpr bool kInLanes = true;
 
-  using WallContact::WallContact;
+  using Contact::Contact;
 
   void add_forces(const PointArray& position, PointArray& force);
 
@@ -25,7 +25,7 @@ class PotentialWall : public ForceTerm, public WallContact {
 
   void add_stiffness(const PointArray& position, MatrixEntries& entries) const;
   static bool shifts_freely(int axis) { return axis == 0; }
-  double potential_energy(const PointArray& position) const;
+  double potential_energy(const ConstPoints& position) const override;
   void enter(const PointArray& position, EnergyLedger& ledger) const {
     ledger.wall += potential_energy(position);
   }
@@ -35,7 +35,7 @@ class PotentialWall : public ForceTerm, public WallContact {
   double height_of_energy(const PointArray& position, double energy) const;
 
   /// The points that the wall pushes with more than `least_force` (M c²/R).
-  std::vector<PointForce> contacts(const PointArray& position, double least_force) const;
+  std::vector<PointForce> contacts(const ConstPoints& position, double least_force) const override;
 
  private:
   std::vector<WallForce> parts_{WallForce{}};  ///< of the last evaluation, by parts of the points

@@ -14,11 +14,11 @@ Simulation::Simulation(ForceField field, State initial, const Spectrum& spectrum
 }
 
 void Simulation::step() {
-  if (const WallContact* const wall = field_.contact()) {
+  if (const Contact* const wall = field_.contact()) {
     limit_step(*wall, approach_speed(), *integrator_);
   }
   const Losses lost = integrator_->step(field_, state_, step_size_);
-  if (field_.elastic_wall) field_.elastic_wall->count_hops(state_.position);
+  field_.count_hops(state_.position);
   count_step(lost);
   if (reset_is_due()) reset_velocities();
 }
@@ -30,9 +30,9 @@ void Simulation::reset_velocities() {
 
 double Simulation::approach_speed() const {
   const auto upwards = state_.velocity.col(1);
-  const Eigen::Index of_wall = field_.wall_points;
-  const double down = -kernels().least(upwards.data(), upwards.size() - of_wall);
-  return of_wall == 0 ? down : down + std::max(0.0, upwards.tail(of_wall).maxCoeff());
+  const Eigen::Index of_second = field_.second_points();
+  const double down = -kernels().least(upwards.data(), upwards.size() - of_second);
+  return of_second == 0 ? down : down + std::max(0.0, upwards.tail(of_second).maxCoeff());
 }
 
 }  // namespace impact

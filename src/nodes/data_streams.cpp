@@ -17,7 +17,7 @@ DataStreams::DataStreams(Readers& readers, Readers* wall_readers, Readers& scala
   if (wall_readers != nullptr) wall_.emplace(*wall_readers, "wall/");
 }
 
-bool DataStreams::heard(Body body) const {
+bool DataStreams::heard(BodyTopic body) const {
   return bag_ || topics(body).states.getNumSubscribers() > 0 ||
          topics(body).forces.getNumSubscribers() > 0;
 }
@@ -45,15 +45,15 @@ void DataStreams::send(const ros::Publisher& publisher, const Message& message) 
   if (publisher.getNumSubscribers() > 0 || publisher.isLatched()) publisher.publish(message);
 }
 
-void DataStreams::send(Body body, const lattice_impact::Lattice& message) {
+void DataStreams::send(BodyTopic body, const lattice_impact::Lattice& message) {
   send(topics(body).lattice, message);
 }
 
-void DataStreams::send(Body body, const lattice_impact::ParticleStates& message) {
+void DataStreams::send(BodyTopic body, const lattice_impact::ParticleStates& message) {
   send(topics(body).states, message);
 }
 
-void DataStreams::send(Body body, const lattice_impact::ContactForces& message) {
+void DataStreams::send(BodyTopic body, const lattice_impact::ContactForces& message) {
   send(topics(body).forces, message);
 }
 

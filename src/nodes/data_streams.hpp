@@ -16,7 +16,7 @@
 namespace impact {
 
 /// A part of the scene that has topics of its own.
-enum class Body { kDisk, kWall };
+enum class BodyTopic { kDisk, kWall };
 
 /// The topics that carry a run, to subscribers and, if asked for, into a bag: `run_status`; for the
 /// disk `lattice`, `particle_states` and `contact_forces`; the same below `wall/` for an elastic
@@ -31,13 +31,13 @@ class DataStreams {
   void open_bag(const std::string& bag);
 
   /// Somebody takes the body's states and forces: a bag or a subscriber.
-  bool heard(Body body) const;
+  bool heard(BodyTopic body) const;
   /// The same of the scalars.
   bool scalars_heard() const;
 
-  void send(Body body, const lattice_impact::Lattice& message);
-  void send(Body body, const lattice_impact::ParticleStates& message);
-  void send(Body body, const lattice_impact::ContactForces& message);
+  void send(BodyTopic body, const lattice_impact::Lattice& message);
+  void send(BodyTopic body, const lattice_impact::ParticleStates& message);
+  void send(BodyTopic body, const lattice_impact::ContactForces& message);
   void send(const lattice_impact::RunStatus& message);
   void send(const lattice_impact::Scalars& message);
 
@@ -54,7 +54,7 @@ class DataStreams {
 
   template <class Message>
   void write(const std::string& topic, const Message& message);
-  const Topics& topics(Body body) const { return body == Body::kDisk ? disk_ : *wall_; }
+  const Topics& topics(BodyTopic body) const { return body == BodyTopic::kDisk ? disk_ : *wall_; }
   template <class Message>
   void send(const ros::Publisher& publisher, const Message& message);
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "nodes/has_second_body.hpp"
+
 namespace impact {
 namespace {
 
@@ -32,7 +34,7 @@ void Inventory::add(const RunStatus& status) {
 
 std::vector<std::string> Inventory::topics(const std::vector<std::string>& terms) {
   std::vector<std::string> topics{kLattice, "particle_states", "contact_forces"};
-  if (std::find(terms.begin(), terms.end(), "elastic wall") != terms.end()) {
+  if (has_second_body(terms)) {
     for (std::size_t k = 0; k < 3; ++k) topics.push_back(kWall + topics[k]);
   }
   topics.insert(topics.end(), {kScalars, kStatus});

@@ -36,7 +36,7 @@ double expected_size(const Scene& scene, const Composition& composition) {
 }
 
 Forecast forecast_of(const Scene& scene, const Composition& composition) {
-  return forecast(scene, composition.bodies->disk.points.rows(), composition.field.wall_points);
+  return forecast(scene, composition.bodies->disk.points.rows(), composition.field.second_points());
 }
 
 /// Stamps must differ from one state to the next, and fit into ros::Duration.
@@ -52,9 +52,9 @@ void check_stamps(double seconds_per_time_unit, double period, double longest_ti
   }
 }
 
-bool has_elastic_wall(const std::vector<Scene>& series) {
+bool has_second_body(const std::vector<Scene>& series) {
   return std::any_of(series.begin(), series.end(),
-                     [](const Scene& scene) { return scene.has_elastic_wall(); });
+                     [](const Scene& scene) { return scene.has_second_body(); });
 }
 
 double free_space(const std::string& file) {
@@ -119,7 +119,7 @@ SimulationNode::SimulationNode(const SimulationNodeParameters& parameters,
       series_(std::move(series)),
       compositions_(std::move(compositions)),
       readers_(node_, parameters.wait_for),
-      wall_readers_(has_elastic_wall(series_)
+      wall_readers_(has_second_body(series_)
                         ? std::make_optional<Readers>(node_, parameters.wait_for_wall)
                         : std::nullopt),
       scalar_readers_(node_, parameters.wait_for_scalars),
@@ -218,30 +218,30 @@ void SimulationNode::start(const Scene& scene, const Run& run) {
   status_.integrator = name_of(run.integrator());
   status_.terms = run.system().field().terms();
 
-  send_lattice(Body::kDisk, run.lattice(), run);
-  if (run.wall_lattice() != nullptr) send_lattice(Body::kWall, *run.wall_lattice(), run);
+  send_lattice(BodyTopic::kDisk, run.lattice(), run);
+  if (run.second_lattice() != nullptr) send_lattice(BodyTopic::kWall, *run.second_lattice(), run);
 }
 
-void SimulationNode::send_lattice(Body body, const Lattice& lattice, const Run& run) {
+void SimulationNode::send_lattice(BodyTopic body, const Lattice& lattice, const Run& run) {
   lattice_impact::Lattice message = to_message(lattice);
   message.header.stamp = stamp(run);
   message.run = status_.run;
-  message.name = body == Body::kDisk ? "disk" : "wall";
+  message.name = body == BodyTopic::kDisk ? "disk" : "wall";
   message.point_mass = run.system().field().point_mass;
-  if (body == Body::kDisk) checksum_ += checksum_of(message);
+  if (body == BodyTopic::kDisk) checksum_ += checksum_of(message);
   streams_.send(body, message);
 }
 
 void SimulationNode::publish_output(Run& run, ImpactAnalysis& analysis) {
   const ContactReports reports = run.take_contact_reports();
-  analysis.add(reports.on_disk);
-  if (status_.states == 0 || run.finished()) analysis.add(run.disk_state());
-  if (streams_.scalars_heard()) send_scalars(run, reports.on_disk);
-  if (streams_.heard(Body::kDisk)) {
-    send(Body::kDisk, run.disk_state(), reports.on_disk, stamp(run));
+  analysis.add(reports.on_first);
+  if (status_.states == 0 || run.finished()) run.show(analysis);
+  if (streams_.scalars_heard()) send_scalars(run, reports.on_first);
+  if (streams_.heard(BodyTopic::kDisk)) {
+    send(BodyTopic::kDisk, run.disk_state(), reports.on_first, stamp(run));
   }
-  if (run.wall_lattice() != nullptr && streams_.heard(Body::kWall)) {
-    send(Body::kWall, run.wall_state(), reports.on_wall, stamp(run));
+  if (run.second_lattice() != nullptr && streams_.heard(BodyTopic::kWall)) {
+    send(BodyTopic::kWall, run.second_state(), reports.on_second, stamp(run));
   }
   ++status_.states;
   if (status_.states % kStatusInterval == 0) {
@@ -255,14 +255,14 @@ void SimulationNode::publish_output(Run& run, ImpactAnalysis& analysis) {
   keep_pace();
 }
 
-void SimulationNode::send(Body body, const State& state, const ContactReport& report,
+void SimulationNode::send(BodyTopic body, const State& state, const ContactReport& report,
                           const ros::Time& stamp) {
   lattice_impact::ParticleStates states = to_message(state);
   lattice_impact::ContactForces forces = to_message(report);
   states.header.stamp = forces.header.stamp = stamp;
   states.run = forces.run = status_.run;
   states.sequence = forces.sequence = status_.states;
-  if (body == Body::kDisk) checksum_ += checksum_of(states) + checksum_of(forces);
+  if (body == BodyTopic::kDisk) checksum_ += checksum_of(states) + checksum_of(forces);
   streams_.send(body, states);
   streams_.send(body, forces);
 }

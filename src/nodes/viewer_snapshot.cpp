@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "nodes/has_second_body.hpp"
+
 namespace impact {
 namespace {
 
@@ -27,10 +29,6 @@ bool fit(const lattice_impact::ContactForces& forces, const lattice_impact::Part
   return forces.fx.size() == forces.point.size() && forces.fy.size() == forces.point.size() &&
          std::all_of(forces.point.begin(), forces.point.end(),
                      [&](auto point) { return point < on.x.size(); });
-}
-
-bool has_elastic_wall(const lattice_impact::RunStatus& status) {
-  return std::find(status.terms.begin(), status.terms.end(), "elastic wall") != status.terms.end();
 }
 
 }  // namespace
@@ -82,7 +80,7 @@ std::optional<Snapshot> SnapshotAssembly::snapshot_of(const State& state) const 
       !status_ || status_->run != state.disk->run) {
     return std::nullopt;
   }
-  if (has_elastic_wall(*status_)) {
+  if (has_second_body(status_->terms)) {
     snapshot.wall = BodySnapshot{wall_, state.wall};
     if (!fit_together(*snapshot.wall)) return std::nullopt;
   }

@@ -26,7 +26,7 @@ void add_bonds(const Lattice& lattice, const PointArray& position, Eigen::Index 
 void write_drawing(Run& run, const std::filesystem::path& folder, const std::string& name) {
   const PointArray& position = run.state().position;
   PointArray force = PointArray::Zero(position.rows(), 2);
-  for (const PointForce& contact : run.take_contact_reports().on_disk.points) {
+  for (const PointForce& contact : run.take_contact_reports().on_first.points) {
     force.row(contact.point) = contact.force.transpose();
   }
   Table points({"x", "y", "fx", "fy"});
@@ -35,8 +35,8 @@ void write_drawing(Run& run, const std::filesystem::path& folder, const std::str
   }
   Table bonds({"first", "second", "strain"});
   add_bonds(run.lattice(), position, 0, bonds);
-  if (run.wall_lattice() != nullptr) {
-    add_bonds(*run.wall_lattice(), position, run.lattice().points.rows(), bonds);
+  if (run.second_lattice() != nullptr) {
+    add_bonds(*run.second_lattice(), position, run.lattice().points.rows(), bonds);
   }
   points.write(folder / (name + "_points.csv"));
   bonds.write(folder / (name + "_bonds.csv"));

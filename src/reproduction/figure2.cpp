@@ -149,7 +149,7 @@ PressureProfile pressure_profile(const Reproduction& reproduction, const Elastic
     Run run(one);
     run.advance();
     if (!run.flags().empty()) continue;
-    profile.add(run.state().position, run.take_contact_reports().on_disk.points);
+    profile.add(run.state().position, run.take_contact_reports().on_first.points);
   }
   return profile;
 }

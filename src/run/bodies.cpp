@@ -8,7 +8,10 @@
 
 #include "lattice/input_error.hpp"
 #include "lattice/placement.hpp"
+#include "run/balance.hpp"
+#include "run/elastic_wall_body.hpp"
 #include "run/file_lattice.hpp"
+#include "run/second_disk.hpp"
 
 namespace impact {
 namespace {
@@ -35,22 +38,6 @@ Lattice scaled(Lattice lattice, FileScale scale) {
         radius));
   }
   return lattice;
-}
-
-/// Turned so that the point farthest from the centre of mass is straight below it, and so the
-/// lowest.
-Lattice balanced(Lattice lattice) {
-  const Eigen::Array2d centre = lattice.points.colwise().mean();
-  Eigen::Index farthest = 0;
-  (lattice.points.rowwise() - centre.transpose()).square().rowwise().sum().maxCoeff(&farthest);
-  const Eigen::Array2d arm = lattice.points.row(farthest).transpose() - centre;
-  const double length = std::hypot(arm.x(), arm.y());
-  const double cosine = -arm.y() / length;  // of the angle that brings the arm to −y
-  const double sine = -arm.x() / length;
-  PointArray turned(lattice.points.rows(), 2);
-  turned.col(0) = cosine * lattice.points.col(0) - sine * lattice.points.col(1);
-  turned.col(1) = sine * lattice.points.col(0) + cosine * lattice.points.col(1);
-  return make_lattice(std::move(turned), std::move(lattice.bonds));
 }
 
 FileLattice disk_as_placed(const Scene& scene) {
@@ -100,6 +87,12 @@ BondLaw law_of(const Scene& scene, const Scene::Material& material, double point
   return {material.k_a, material.k_b, scene.is_static() ? 0.0 : material.eta * point_mass};
 }
 
+std::optional<SecondBody> second_body(const Scene& scene, const Lattice& disk) {
+  if (scene.has_elastic_wall()) return elastic_wall_body(scene, disk.points.rows());
+  if (scene.hits_disk()) return second_disk(scene, disk);
+  return std::nullopt;
+}
+
 Spectrum unit_spectrum(const Lattice& lattice, bool damped) {
   return lattice_spectrum(lattice, {1.0, 0.0, damped ? 1.0 : 0.0}, 1.0);
 }
@@ -110,25 +103,24 @@ std::shared_ptr<const Bodies> make_bodies(const Scene& scene) {
   auto [disk, flags] = scene.kind == SceneKind::kStretch
                            ? FileLattice{stretched_rectangle(scene), {}}
                            : disk_lattice(scene);
-  std::optional<ElasticWallBody> wall;
-  if (scene.has_elastic_wall()) {
-    wall = elastic_wall_body(scene, disk.points.rows());
-    for (const std::string& flag : wall->flags) {
+  const std::optional<SecondBody> second = second_body(scene, disk);
+  if (second) {
+    for (const std::string& flag : second->flags) {
       if (std::find(flags.begin(), flags.end(), flag) == flags.end()) flags.push_back(flag);
     }
   }
-  const Lattice all = wall ? joined(disk, wall->lattice) : disk;
+  const Lattice all = second ? joined(disk, second->lattice) : disk;
   Triangles triangles(disk);
-  std::optional<Triangles> wall_triangles;
-  if (wall) wall_triangles.emplace(wall->lattice);
+  std::optional<Triangles> second_triangles;
+  if (second) second_triangles.emplace(second->lattice);
   std::optional<Spectrum> spectrum;
   if (!scene.is_static()) spectrum = unit_spectrum(all, scene.material.eta != 0.0);
   const bool flies = scene.kind == SceneKind::kCollision && !scene.is_static();
   const Flexibility of_disk = flies ? flexibility(disk) : Flexibility{};
-  const Flexibility of_wall = flies && wall ? flexibility(wall->lattice) : Flexibility{};
+  const Flexibility of_second = flies && second ? flexibility(second->lattice) : Flexibility{};
   return std::make_shared<const Bodies>(
-      Bodies{std::move(disk), std::move(wall), std::move(triangles), std::move(wall_triangles),
-             BondForces(all, BondLaw{}), spectrum, of_disk, of_wall, std::move(flags)});
+      Bodies{std::move(disk), second, std::move(triangles), std::move(second_triangles),
+             BondForces(all, BondLaw{}), spectrum, of_disk, of_second, std::move(flags)});
 }
 
 std::string key_of_bodies(const Scene& scene) {
@@ -145,6 +137,9 @@ std::string key_of_bodies(const Scene& scene) {
     key += fmt::format("\nwall {} {} {} {}", wall.points, wall.width.value_or(0.0),
                        wall.height.value_or(0.0), wall.file);
   }
+  if (scene.hits_disk()) {
+    key += fmt::format("\ndisk {} {} {}", scene.wall.radius, scene.wall.mirrored, scene.wall.file);
+  }
   return key;
 }
 
@@ -153,7 +148,14 @@ BondForces bonds_of(const Scene& scene, const Bodies& bodies, double point_mass)
   if (!scene.has_own_wall_material()) return bodies.bonds.with(of_disk);
   const BondLaw of_wall = law_of(scene, scene.wall_material(), point_mass);
   return BondForces::of_two_bodies(BondForces(bodies.disk, of_disk),
-                                   BondForces(bodies.wall->lattice, of_wall));
+                                   BondForces(bodies.second->lattice, of_wall));
+}
+
+double reduced_mass(const Scene& scene, const Bodies& bodies) {
+  if (!scene.hits_disk()) return 1.0;
+  const double mass = static_cast<double>(bodies.second->lattice.points.rows()) /
+                      static_cast<double>(bodies.disk.points.rows());
+  return mass / (1.0 + mass);
 }
 
 Spectrum spectrum_of(const Scene& scene, const Bodies& bodies, double point_mass) {
@@ -161,14 +163,14 @@ Spectrum spectrum_of(const Scene& scene, const Bodies& bodies, double point_mass
   if (scene.has_own_wall_material()) {
     const Spectrum disk = lattice_spectrum(bodies.disk, law, point_mass);
     const Spectrum wall = lattice_spectrum(
-        bodies.wall->lattice, law_of(scene, scene.wall_material(), point_mass), point_mass);
+        bodies.second->lattice, law_of(scene, scene.wall_material(), point_mass), point_mass);
     return {std::max(disk.omega_squared, wall.omega_squared), std::max(disk.gamma, wall.gamma)};
   }
   Spectrum unit;
   if (bodies.spectrum && (law.eta == 0.0 || bodies.spectrum->gamma > 0.0)) {
     unit = *bodies.spectrum;
   } else {
-    unit = unit_spectrum(bodies.wall ? joined(bodies.disk, bodies.wall->lattice) : bodies.disk,
+    unit = unit_spectrum(bodies.second ? joined(bodies.disk, bodies.second->lattice) : bodies.disk,
                          law.eta != 0.0);
   }
   return {law.k_a / point_mass * unit.omega_squared, law.eta / point_mass * unit.gamma};

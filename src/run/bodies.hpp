@@ -8,7 +8,7 @@
 #include "lattice/lattice.hpp"
 #include "mechanics/bond_forces.hpp"
 #include "mechanics/spectrum.hpp"
-#include "run/elastic_wall_body.hpp"
+#include "run/second_body.hpp"
 #include "scene/scene.hpp"
 #include "statics/flexibility.hpp"
 #include "statics/folding.hpp"
@@ -19,13 +19,13 @@ namespace impact {
 /// same, see key_of_bodies().
 struct Bodies {
   Lattice disk;  ///< or the stretched rectangle
-  std::optional<ElasticWallBody> wall;
+  std::optional<SecondBody> second;
   Triangles triangles;  ///< of the disk
-  std::optional<Triangles> wall_triangles;
-  BondForces bonds;                  ///< of the disk and, after it, the wall; with any constants
+  std::optional<Triangles> second_triangles;
+  BondForces bonds;                  ///< of all bodies, one after another; with any constants
   std::optional<Spectrum> spectrum;  ///< of all bonds, for k_a = 1, m = 1 and η = 1
   Flexibility flexibility{};         ///< of the disk that is thrown
-  Flexibility wall_flexibility{};
+  Flexibility second_flexibility{};
   std::vector<std::string> flags;  ///< Run::flags() that files lead to
 };
 
@@ -36,9 +36,12 @@ std::shared_ptr<const Bodies> make_bodies(const Scene& scene);
 /// Equal for scenes of which make_bodies() makes the same, but for the spectrum.
 std::string key_of_bodies(const Scene& scene);
 
-/// The bonds of the scene's bodies, those of an elastic wall with the wall's own constants where
-/// the scene gives them. `point_mass` in M.
+/// The bonds of the scene's bodies, those of the second with its own constants where the scene
+/// gives them. `point_mass` in M.
 BondForces bonds_of(const Scene& scene, const Bodies& bodies, double point_mass);
+
+/// Of the two bodies that collide, in M: 1 M against a wall.
+double reduced_mass(const Scene& scene, const Bodies& bodies);
 
 /// Their spectrum.
 Spectrum spectrum_of(const Scene& scene, const Bodies& bodies, double point_mass);

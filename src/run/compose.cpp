@@ -12,6 +12,7 @@
 #include "run/elastic_wall_body.hpp"
 #include "run/expected_time.hpp"
 #include "run/forecast.hpp"
+#include "run/second_disk.hpp"
 #include "run/spinning_shape.hpp"
 
 namespace impact {
@@ -48,35 +49,72 @@ PointArray shape_at_start(const Scene& scene, const Bodies& bodies) {
   return spin == 0.0 ? reference : spinning_shape(scene, bodies);
 }
 
-/// The disk above the wall, which is at rest with its surface at y = 0.
-State initial_state(const Scene& scene, const Bodies& bodies, const PotentialWall& wall) {
-  const PointArray reference = shape_at_start(scene, bodies);
-  const Eigen::Index points = reference.rows();
-  const Eigen::Index wall_points = bodies.wall ? bodies.wall->lattice.points.rows() : 0;
-  State state;
-  state.position.resize(points + wall_points, 2);
-  state.position.topRows(points) = reference;
-  if (bodies.wall) state.position.bottomRows(wall_points) = bodies.wall->lattice.points;
-  state.velocity = PointArray::Zero(state.position.rows(), 2);
-  double lowest = 0.0;
-  if (scene.kind == SceneKind::kContact) {
-    lowest = wall.gap_of_force(scene.load.p);
-  } else {
-    lowest = gap_at_start(scene, wall.height_of_energy(reference, negligible_wall_energy(scene)));
-    const Eigen::Array2d centre = reference.colwise().mean();
-    state.velocity.col(0).head(points) =
-        scene.impact.tangential_velocity() - scene.impact.spin * (reference.col(1) - centre.y());
-    state.velocity.col(1).head(points) =
-        -scene.impact.normal_velocity() + scene.impact.spin * (reference.col(0) - centre.x());
+/// Moves the disk to where its lowest point is at this height, and so far to the side that it will
+/// touch another disk at its top.
+void raise(const Scene& scene, double lowest, PointArray& disk) {
+  disk.col(1) += lowest - disk.col(1).minCoeff();
+  if (scene.hits_disk()) disk.col(0) -= scene.impact.tangent() * lowest;
+}
+
+/// A height from which on what the disk meets holds less than a negligible energy.
+double negligible_height(const Scene& scene, const Bodies& bodies, const PotentialWall& wall,
+                         const PointArray& disk) {
+  const double negligible = reduced_mass(scene, bodies) * negligible_wall_energy(scene);
+  if (!scene.hits_disk()) return wall.height_of_energy(disk, negligible);
+  const Eigen::Index points = disk.rows() + bodies.second->lattice.points.rows();
+  return wall.gap_of_energy(negligible / static_cast<double>(points));
+}
+
+/// The disk as it comes down, at any height.
+PointArray disk_at_start(const Scene& scene, const Bodies& bodies) {
+  PointArray disk = shape_at_start(scene, bodies);
+  if (scene.hits_disk() && scene.disk.orientation == Orientation::kBalanced) {
+    disk.col(0) -= disk.col(0).mean();
   }
-  state.position.col(1).head(points) += lowest - reference.col(1).minCoeff();
+  return disk;
+}
+
+/// The disk above what it meets, which has its surface at y = 0. A wall is at rest, two disks move
+/// as seen from their common centre of mass.
+State initial_state(const Scene& scene, const Bodies& bodies, const PotentialWall& wall) {
+  PointArray disk = disk_at_start(scene, bodies);
+  const Eigen::Index points = disk.rows();
+  const Eigen::Index second_points = bodies.second ? bodies.second->lattice.points.rows() : 0;
+  State state;
+  state.velocity = PointArray::Zero(points + second_points, 2);
+  if (scene.kind == SceneKind::kContact) {
+    raise(scene, wall.gap_of_force(scene.load.p), disk);
+  } else {
+    const double part = reduced_mass(scene, bodies);
+    const Eigen::Array2d velocity{part * scene.impact.tangential_velocity(),
+                                  -part * scene.impact.normal_velocity()};
+    const Eigen::Array2d centre = disk.colwise().mean();
+    state.velocity.col(0).head(points) =
+        velocity.x() - scene.impact.spin * (disk.col(1) - centre.y());
+    state.velocity.col(1).head(points) =
+        velocity.y() + scene.impact.spin * (disk.col(0) - centre.x());
+    if (scene.hits_disk()) {
+      const double ratio = static_cast<double>(points) / static_cast<double>(second_points);
+      state.velocity.bottomRows(second_points).rowwise() -= ratio * velocity.transpose();
+    }
+    raise(scene, gap_at_start(scene, negligible_height(scene, bodies, wall, disk)), disk);
+  }
+  state.position.resize(points + second_points, 2);
+  state.position.topRows(points) = disk;
+  if (bodies.second) state.position.bottomRows(second_points) = bodies.second->lattice.points;
   return state;
 }
 
 void add_terms(const Scene& scene, const Bodies& bodies, const PotentialWall& wall,
                const PointArray& position, ForceField& field) {
-  if (bodies.wall) {
-    add_elastic_wall(scene, *bodies.wall, wall, position, field);
+  if (bodies.second) {
+    field.second_body =
+        Body{bodies.disk.points.rows(), bodies.second->lattice.points.rows(), scene.hits_disk()};
+  }
+  if (scene.has_elastic_wall()) {
+    add_elastic_wall(scene, *bodies.second, wall, position, field);
+  } else if (scene.hits_disk()) {
+    add_disk_contact(scene, bodies.disk, *bodies.second, wall, position, field);
   } else {
     field.wall = wall;
   }
@@ -117,7 +155,12 @@ Composition compose_on_wall(const Scene& scene, std::shared_ptr<const Bodies> bo
 
 State start_of(const Composition& composition, const Resolution& resolution) {
   State start = composition.initial;
-  start.position.col(1).head(composition.bodies->disk.points.rows()) += resolution.lift;
+  const Eigen::Index points = composition.bodies->disk.points.rows();
+  start.position.col(1).head(points) += resolution.lift;
+  if (composition.field.disk_contact) {
+    const auto velocity = start.velocity.topRows(points).colwise().mean();
+    start.position.col(0).head(points) += velocity(0) / velocity(1) * resolution.lift;
+  }
   return start;
 }
 
@@ -129,7 +172,7 @@ void refuse_impossible(const Scene& scene) {
 Composition compose(const Scene& scene, std::shared_ptr<const Bodies> bodies) {
   refuse_missing_integrator(scene);
   refuse_if_too_long(scene, bodies->disk.points.rows(),
-                     bodies->wall ? bodies->wall->lattice.points.rows() : 0);
+                     bodies->second ? bodies->second->lattice.points.rows() : 0);
   if (scene.kind == SceneKind::kContact && has_flag(bodies->flags, Flag::kFloppy)) {
     throw InputError(fmt::format(
         "disk.file: {}: the lattice is floppy, it can change its shape without a change of a bond: "

@@ -6,10 +6,14 @@
 namespace impact {
 namespace {
 
-/// The wall force along y; 0 without a wall.
+/// The contact force along y; 0 without a contact.
 ForceSample sample_of(const System& system) {
-  const WallContact* const contact = system.field().contact();
+  const Contact* const contact = system.field().contact();
   return {system.time(), contact != nullptr ? contact->total_force().y() : 0.0};
+}
+
+void number_within(const Body& body, std::vector<PointForce>& forces) {
+  for (PointForce& force : forces) force.point -= static_cast<std::int32_t>(body.first);
 }
 
 }  // namespace
@@ -32,17 +36,15 @@ ContactReports ContactRecorder::take(const System& system) {
   const ForceField& field = system.field();
   const State& state = system.state();
   ContactReports reports;
-  reports.on_disk = std::exchange(report_, ContactReport{});
-  reports.on_disk.time = reports.on_wall.time = state.time;
-  reports.on_disk.step = reports.on_wall.step = state.step;
-  if (const WallContact* const contact = field.contact()) {
-    reports.on_disk.total = contact->total_force();
-    reports.on_wall.total = -contact->total_force();
-  }
-  if (field.wall) reports.on_disk.points = field.wall->contacts(state.position, contact_force_);
-  if (field.elastic_wall) {
-    reports.on_disk.points = field.elastic_wall->contacts(state.position, contact_force_);
-    reports.on_wall.points = field.elastic_wall->reactions(state.position, contact_force_);
+  reports.on_first = std::exchange(report_, ContactReport{});
+  reports.on_first.time = reports.on_second.time = state.time;
+  reports.on_first.step = reports.on_second.step = state.step;
+  if (const Contact* const contact = field.contact()) {
+    reports.on_first.total = contact->total_force();
+    reports.on_second.total = -contact->total_force();
+    reports.on_first.points = contact->contacts(state.position, contact_force_);
+    reports.on_second.points = contact->reactions(state.position, contact_force_);
+    if (field.second_body) number_within(*field.second_body, reports.on_second.points);
   }
   return reports;
 }

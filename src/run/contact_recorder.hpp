@@ -5,17 +5,17 @@
 
 namespace impact {
 
-/// What the wall did to the disk and, where the wall is elastic, what the disk did to it. The
-/// second has no samples: they are the first's with the opposite sign.
+/// What happened to the first body and, where it meets a second one, to that. The second report has
+/// no samples: they are the first's with the opposite sign.
 struct ContactReports {
-  ContactReport on_disk;
-  ContactReport on_wall;
+  ContactReport on_first;
+  ContactReport on_second;
 };
 
-/// Follows the wall force step by step and sums it up into reports.
+/// Follows the contact force step by step and sums it up into reports.
 class ContactRecorder {
  public:
-  /// A point is listed as in contact when the wall pushes it with more than `contact_force`
+  /// A point is listed as in contact when it is pushed with more than `contact_force`
   /// (M c²/R).
   ContactRecorder(const System& start, double contact_force);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -14,9 +15,6 @@
 
 namespace impact {
 namespace {
-
-/// Any constant will do that keeps the wall's random numbers apart from the disk's.
-constexpr std::uint64_t kSeedOfWall = 0x9E3779B97F4A7C15;
 
 /// Elastic moduli of the triangular lattice, ρ c_L² = E/(1 − ν²) and ρ c_T² = E/(2 + 2ν) with
 /// E = 2/√3 k_a and ν = 1/3, in units of k_a. Random lattices have moduli up to 14 % lower (uniform
@@ -38,7 +36,7 @@ Lattice placed_wall(const Scene& scene, Eigen::Index disk_points) {
   const PlacementRecipe recipe{scene.wall.points, scene.disk.recipe.placement, true};
   try {
     return triangulated_lattice(
-        place_in_rectangle(recipe, width, height, scene.seed ^ kSeedOfWall));
+        place_in_rectangle(recipe, width, height, scene.seed ^ kSeedOfSecondBody));
   } catch (const InputError& error) {
     throw InputError(fmt::format("wall.points: {}", error.what()));
   }
@@ -104,7 +102,7 @@ class DashpotBuilder {
 
 }  // namespace
 
-ViscousBoundary viscous_boundary(const ElasticWallBody& wall, double point_mass, double k_a,
+ViscousBoundary viscous_boundary(const SecondBody& wall, double point_mass, double k_a,
                                  std::int32_t first_row) {
   DashpotBuilder builder(wall.lattice, point_mass, k_a);
   builder.add_side(wall.sides.left, 0);
@@ -113,7 +111,7 @@ ViscousBoundary viscous_boundary(const ElasticWallBody& wall, double point_mass,
   return builder.boundary(first_row);
 }
 
-ElasticWallBody elastic_wall_body(const Scene& scene, Eigen::Index disk_points) {
+SecondBody elastic_wall_body(const Scene& scene, Eigen::Index disk_points) {
   if (scene.wall.file.empty()) {
     Lattice lattice = placed_wall(scene, disk_points);
     move_into_place(lattice);
@@ -130,14 +128,14 @@ ElasticWallBody elastic_wall_body(const Scene& scene, Eigen::Index disk_points) 
   }
 }
 
-void add_elastic_wall(const Scene& scene, const ElasticWallBody& wall, const WallContact& law,
+void add_elastic_wall(const Scene& scene, const SecondBody& wall, const Repulsion& law,
                       const PointArray& position, ForceField& field) {
-  field.wall_points = wall.lattice.points.rows();
-  const Eigen::Index disk_points = position.rows() - field.wall_points;
-  const auto first_row = static_cast<std::int32_t>(disk_points);
+  const auto first_row = static_cast<std::int32_t>(position.rows() - wall.lattice.points.rows());
+  std::vector<std::int32_t> points(static_cast<std::size_t>(first_row));
+  std::iota(points.begin(), points.end(), 0);
   std::vector<std::int32_t> surface = wall.sides.top;
   for (std::int32_t& point : surface) point += first_row;
-  field.elastic_wall.emplace(law, scene.wall.threshold, scene.wall.gap, disk_points,
+  field.elastic_wall.emplace(law, scene.wall.threshold, scene.wall.gap, std::move(points),
                              std::move(surface), position);
 
   std::vector<std::int32_t> boundary = boundary_points(wall.sides, first_row);

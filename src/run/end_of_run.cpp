@@ -17,22 +17,21 @@ constexpr double kLeastVelocity = 1e-3;  // of that before
 }  // namespace
 
 SeparationEnd::SeparationEnd(const Scene& scene, const Composition& composition)
-    : velocity_before_(scene.impact.normal_velocity()),
+    : velocity_before_(composition.field.reduced_mass() * scene.impact.normal_velocity()),
       negligible_fraction_(negligible_fraction(scene)),
       flight_(scene, composition.bodies) {}
 
 bool SeparationEnd::reached(const System& system) {
   // The potential V₀ exp(−a y) is its force over a.
-  const WallContact& wall = *system.field().contact();
-  const double energy = wall.total_force().y() / wall.a();
-  if (energy > negligible_fraction_ * 0.5 * velocity_before_ * velocity_before_) {
+  const ForceField& field = system.field();
+  const Contact& contact = *field.contact();
+  const double energy = contact.total_force().y() / contact.a();
+  if (energy > negligible_fraction_ * field.impact_energy(velocity_before_)) {
     touched_ = true;
     return false;
   }
   if (!touched_ || system.steps() % kLookSteps != 0) return false;
-  const State& state = system.state();
-  const Eigen::Index disk = state.position.rows() - system.field().wall_points;
-  const double v = state.velocity.col(1).head(disk).mean();
+  const double v = field.first_body().rows_of(system.state().velocity).col(1).mean();
   time_under_way_ = std::max(
       time_under_way_, kLongestWay / std::max(std::abs(v), kLeastVelocity * velocity_before_));
   return flight_.is_for_good(system, negligible_fraction_);

@@ -22,7 +22,7 @@ class EndOfRun {
   virtual double time_under_way() const { return 0.0; }
 };
 
-/// The disk has left the wall for good: the wall has held more than the negligible energy of
+/// The disk has left what it met for good: the contact has held more than the negligible energy of
 /// expected_time.hpp, and from now on its energy cannot exceed numerics.error/100 of that of the
 /// centre of mass, which moves away (see FreeFlight). Looked at every 16 steps.
 class SeparationEnd : public EndOfRun {

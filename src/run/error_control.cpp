@@ -37,19 +37,18 @@ double step_of(const Resolution& resolution) {
 }
 
 /// What is measured when the disk has left for good too: the wall's energy U that is left at the
-/// end of a run still adds U/v′ to the velocity v′ of the disk (M = 1, U ≪ v′²), U to its energy.
+/// end of a run still adds U/v′ to the velocity v′ of the disk (M = 1, U ≪ v′²), of which it is μ
+/// times as much where another disk flies away too, and U to the energy of all.
 Restitution after_the_tail(const Run& run, Restitution measured) {
   const double energy = run.system().field().wall_potential_energy(run.state().position);
-  const double gain = energy / measured.velocity_after;
+  const double gain = run.system().field().reduced_mass() * energy / measured.velocity_after;
   measured.velocity_after += gain;
   measured.restitution = -measured.velocity_after / measured.velocity_before;
   measured.impulse += gain;
-  const double before = measured.velocity_before * measured.velocity_before +
-                        measured.tangential_velocity_before * measured.tangential_velocity_before +
-                        measured.moment_of_inertia * measured.spin_before * measured.spin_before;
-  measured.normal_energy += 2.0 * energy / before;
+  const double part = energy / measured.energy_before;
+  measured.normal_energy += part;
   measured.energy_restitution =
-      std::sqrt(measured.energy_restitution * measured.energy_restitution + 2.0 * energy / before);
+      std::sqrt(measured.energy_restitution * measured.energy_restitution + part);
   return measured;
 }
 
@@ -60,10 +59,10 @@ FinishedImpact finished_impact(const Run& run, const Restitution& measured) {
   impact.steps = run.state().step;
   impact.time = run.state().time;
   impact.tail_error = run.tail_error();
-  if (const auto& wall = run.system().field().elastic_wall) {
-    impact.error_by_hops =
-        (wall->hops_size() + wall->turned()) / (measured.velocity_after * measured.velocity_after);
-  }
+  const ForceField& field = run.system().field();
+  const Contact& contact = *field.contact();
+  impact.error_by_hops =
+      0.5 * (contact.hops_size() + contact.turned()) / field.impact_energy(measured.velocity_after);
   impact.step_reduced = run.system().halvings() > 0;
   impact.not_separated = run.has_flag(Flag::kNotSeparated);
   impact.folded = run.has_flag(Flag::kFolded);
@@ -121,11 +120,11 @@ void ErrorControl::find_resolution(const std::shared_ptr<const Composition>& com
   while (!accepted_ && !stop()) {
     Run run(scene_, composition, resolution_);
     ImpactAnalysis analysis;
-    analysis.add(run.disk_state());
+    run.show(analysis);
     try {
       while (!run.finished() && !stop()) run.advance(stop);
-      analysis.add(run.disk_state());
-      analysis.add(run.take_contact_reports().on_disk);
+      run.show(analysis);
+      analysis.add(run.take_contact_reports().on_first);
       if (run.finished()) accepts(run, analysis.restitution(true));
     } catch (const RunFailure& failure) {
       take_failure(failure);

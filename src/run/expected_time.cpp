@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mechanics/disk_contact.hpp"
+
 namespace impact {
 namespace {
 
@@ -41,8 +43,20 @@ double estimated_sound_speed(double k_a) { return std::sqrt(2.0 / std::sqrt(3.0)
 
 PotentialWall repulsion(const Scene& scene, Eigen::Index points) {
   const double mass = 1.0 / static_cast<double>(points);
-  const double part = scene.wall.kind == WallKind::kLattice ? 0.5 : 1.0;
+  const double part = scene.wall.kind == WallKind::kPotential ? 1.0 : 0.5;
   return {scene.wall.a, scene.wall.v0.value_or(part * scene.wall.a * mass)};
+}
+
+double moving_ends(const Scene& scene) {
+  switch (scene.wall.kind) {
+    case WallKind::kPotential:
+      break;
+    case WallKind::kLattice:
+      return SurfaceContact::kMovingEnds;
+    case WallKind::kDisk:
+      return DiskContact::kMovingEnds;
+  }
+  return 1.0;
 }
 
 double negligible_wall_energy(const Scene& scene) {

@@ -15,6 +15,9 @@ double estimated_sound_speed(double k_a);
 /// The repulsion of the scene's wall, whichever it has, for a disk of so many points.
 PotentialWall repulsion(const Scene& scene, Eigen::Index points);
 
+/// Contact::moving_ends() of the scene's contact.
+double moving_ends(const Scene& scene);
+
 /// The energy of the potential wall that counts as none: numerics.error/100 of the kinetic energy
 /// along y at the start. In M c².
 double negligible_wall_energy(const Scene& scene);

@@ -100,12 +100,15 @@ Eigen::Index points_of(const Scene& scene) {
   return static_cast<Eigen::Index>(std::min(kMost, scene.disk.recipe.points * area / M_PI));
 }
 
-Eigen::Index wall_points_of(const Scene& scene) {
-  return scene.has_elastic_wall() ? scene.wall.points : 0;
+Eigen::Index second_points_of(const Scene& scene) {
+  if (scene.has_elastic_wall()) return scene.wall.points;
+  if (!scene.hits_disk()) return 0;
+  const double radius = scene.wall.mirrored ? 1.0 : scene.wall.radius;
+  return std::llround(static_cast<double>(scene.disk.recipe.points) * radius * radius);
 }
 
 /// The keys whose defaults would at least halve the time, those that would most first.
-std::vector<std::string> causes(const Scene& scene, Eigen::Index points, Eigen::Index wall_points,
+std::vector<std::string> causes(const Scene& scene, Eigen::Index points, Eigen::Index second_points,
                                 double seconds) {
   constexpr std::size_t kMost = 3;
   std::vector<std::pair<double, std::string>> found;
@@ -115,7 +118,7 @@ std::vector<std::string> causes(const Scene& scene, Eigen::Index points, Eigen::
     Scene other = scene;
     parameter.read(other, parameter.write(Scene{}));
     const double time = other.has_recipes_only() ? forecast(other).seconds
-                                                 : forecast(other, points, wall_points).seconds;
+                                                 : forecast(other, points, second_points).seconds;
     if (time < 0.5 * seconds) found.emplace_back(time, parameter.key);
   }
   std::sort(found.begin(), found.end());
@@ -129,10 +132,10 @@ std::vector<std::string> causes(const Scene& scene, Eigen::Index points, Eigen::
 }  // namespace
 
 Forecast forecast(const Scene& scene) {
-  return forecast(scene, points_of(scene), wall_points_of(scene));
+  return forecast(scene, points_of(scene), second_points_of(scene));
 }
 
-Forecast forecast(const Scene& scene, Eigen::Index points, Eigen::Index wall_points) {
+Forecast forecast(const Scene& scene, Eigen::Index points, Eigen::Index second_points) {
   if (scene.is_static()) return of_static_solution(scene, points);
   const auto number = static_cast<double>(points);
   const PotentialWall wall = repulsion(scene, points);
@@ -148,7 +151,7 @@ Forecast forecast(const Scene& scene, Eigen::Index points, Eigen::Index wall_poi
     time *= kPartOfRelaxation;
   }
   const Work work = work_of_run(scene, expected, time);
-  const double of_step = kStep + kStepOfPoint * static_cast<double>(points + wall_points);
+  const double of_step = kStep + kStepOfPoint * static_cast<double>(points + second_points);
   const double steps = runs * work.steps;
   return {steps, steps * work.cost_of_step * of_step};
 }
@@ -159,13 +162,13 @@ std::string text(const Forecast& forecast) {
 }
 
 void refuse_if_too_long(const Scene& scene) {
-  refuse_if_too_long(scene, points_of(scene), wall_points_of(scene));
+  refuse_if_too_long(scene, points_of(scene), second_points_of(scene));
 }
 
-void refuse_if_too_long(const Scene& scene, Eigen::Index points, Eigen::Index wall_points) {
-  const Forecast expected = forecast(scene, points, wall_points);
+void refuse_if_too_long(const Scene& scene, Eigen::Index points, Eigen::Index second_points) {
+  const Forecast expected = forecast(scene, points, second_points);
   if (expected.seconds <= scene.numerics.longest) return;
-  const std::vector<std::string> keys = causes(scene, points, wall_points, expected.seconds);
+  const std::vector<std::string> keys = causes(scene, points, second_points, expected.seconds);
   throw InputError(fmt::format(
       "numerics.longest: this scene would take about {}{}, allowed: at most {} s", text(expected),
       keys.empty() ? "" : fmt::format(" ({})", fmt::join(keys, ", ")), scene.numerics.longest));

@@ -9,17 +9,8 @@ namespace impact {
 namespace {
 
 constexpr int kMostAngles = 200;
-constexpr double kEnergyMargin = 1.1;
-constexpr double kRounding = 1e-9;         // of an energy that is the difference of two
-constexpr double kFirstOrder = 1.0 / 3.0;  // of the spacing
-constexpr double kLeastGap = 0.9;          // of a vertical one
+constexpr double kLeastGap = 0.9;  // of a vertical one
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double energy_margin(double energy) { return kEnergyMargin * energy; }
-
-PointArray about_the_centre(const ConstPoints& points) {
-  return points.rowwise() - points.colwise().mean();
-}
 
 /// Heights of the points of a body that is turned, about its centre of mass.
 Eigen::ArrayXd turned_heights(const PointArray& reference, double angle) {
@@ -55,8 +46,30 @@ bool stays_above_turning(const PointArray& reference, const Flight& flight, cons
 }
 
 double wall_kinetic_energy(const System& system) {
-  const auto velocity = system.state().velocity.bottomRows(system.field().wall_points);
-  return 0.5 * system.field().point_mass * velocity.square().sum();
+  return system.field().kinetic_energy(*system.field().second_body, system.state());
+}
+
+/// Of a body that is free, in the frame of its centre of mass.
+InnerMotion inner_motion(const System& system, const Body& body, const BodyMotion& motion) {
+  const ForceField& field = system.field();
+  const double mass = field.mass_of(body);
+  const double energy = field.kinetic_energy(body, system.state()) +
+                        field.bond_energy(body, system.state()) -
+                        0.5 * mass * motion.velocity.square().sum();
+  return {energy, mass * motion.angular_momentum};
+}
+
+double spacing_of(const Lattice& disk) {
+  return std::sqrt(M_PI / static_cast<double>(disk.points.rows()));
+}
+
+std::optional<FreeBody> other_disk(const Scene& scene, const Bodies& bodies) {
+  if (!scene.hits_disk()) return std::nullopt;
+  const Lattice& lattice = bodies.second->lattice;
+  const double mass =
+      static_cast<double>(lattice.points.rows()) / static_cast<double>(bodies.disk.points.rows());
+  return FreeBody(lattice, *bodies.second_triangles, bodies.second_flexibility,
+                  scene.wall_material(), spacing_of(bodies.disk), mass);
 }
 
 }  // namespace
@@ -69,15 +82,42 @@ bool stays_above(const PointArray& reference, const Flight& flight, const WallAb
 FreeFlight::FreeFlight(Scene scene, std::shared_ptr<const Bodies> bodies)
     : scene_(std::move(scene)),
       bodies_(std::move(bodies)),
-      reference_(about_the_centre(bodies_->disk.points)),
-      inertia_(reference_.square().sum() / static_cast<double>(reference_.rows())),
-      spacing_(std::sqrt(M_PI / static_cast<double>(reference_.rows()))) {}
+      disk_(bodies_->disk, bodies_->triangles, bodies_->flexibility, scene_.material,
+            spacing_of(bodies_->disk), 1.0),
+      other_disk_(other_disk(scene_, *bodies_)),
+      spacing_(spacing_of(bodies_->disk)) {}
 
 bool FreeFlight::is_for_good(const System& system, double fraction) {
+  return other_disk_ ? disks_part(system, fraction) : leaves_wall(system, fraction);
+}
+
+bool FreeFlight::disks_part(const System& system, double fraction) {
+  const ForceField& field = system.field();
+  const Body one = field.first_body();
+  const Body other = *field.second_body;
+  const PointArray position = one.rows_of(system.state().position);
+  const PointArray position_of_other = other.rows_of(system.state().position);
+  const BodyMotion motion = body_motion(position, one.rows_of(system.state().velocity));
+  const BodyMotion motion_of_other =
+      body_motion(position_of_other, other.rows_of(system.state().velocity));
+  const Eigen::Array2d apart = motion.centre - motion_of_other.centre;
+  if (!((apart * (motion.velocity - motion_of_other.velocity)).sum() > 0.0)) return false;
+
+  const double limit = fraction * field.impact_energy(motion.velocity.y());
+  const auto points = static_cast<double>(position.rows() + position_of_other.rows());
+  const Contact& contact = *field.contact();
+  const double gap = std::min(contact.gap_of_energy(limit / points), contact.threshold());
+  const double reach = disk_.reach(inner_motion(system, one, motion), position);
+  const double reach_of_other =
+      other_disk_->reach(inner_motion(system, other, motion_of_other), position_of_other);
+  return apart.matrix().norm() >= reach + reach_of_other + gap;
+}
+
+bool FreeFlight::leaves_wall(const System& system, double fraction) {
   const State& state = system.state();
-  const Eigen::Index points = reference_.rows();
-  const PointArray position = state.position.topRows(points);
-  const BodyMotion body = body_motion(position, state.velocity.topRows(points));
+  const Body disk = system.field().first_body();
+  const PointArray position = disk.rows_of(state.position);
+  const BodyMotion body = body_motion(position, disk.rows_of(state.velocity));
   const double v = body.velocity.y();
   if (!(v > 0.0)) return false;
 
@@ -88,65 +128,28 @@ bool FreeFlight::is_for_good(const System& system, double fraction) {
   const WallAbove wall = wall_above(system, fraction * 0.5 * v * v);
   const double height = body.centre.y() - below.height;
   const double velocity = v - below.speed;
-  const InnerBounds bound = bounds(inner);
-  if (bound.hold && bodies_->triangles.turned_over(position) == 0) {
-    return stays_above(reference_,
-                       {height, velocity, rigid_rotation(reference_, position),
+  const InnerBounds bound = disk_.bounds(inner);
+  if (bound.hold && disk_.is_unfolded(position)) {
+    return stays_above(disk_.reference(),
+                       {height, velocity, rigid_rotation(disk_.reference(), position),
                         bound.counter_clockwise, bound.clockwise, bound.swing},
                        wall);
   }
   if (!(velocity > 0.0)) return false;
-  if (!tethers_) tethers_.emplace(bodies_->disk);
-  const double outermost =
-      tethers_->largest_distance(elongation(energy_margin(inner.energy), scene_.material));
-  return clearance(Eigen::ArrayXd::Constant(points, height - outermost), wall) >= 0.0;
-}
-
-InnerBounds FreeFlight::bounds(const InnerMotion& motion) const {
-  constexpr int kIterations = 3;
-  constexpr double kLargestDisplacement = 0.25;  // of the radius of gyration
-  const bool damped = scene_.material.eta != 0.0;
-  const double omega = bodies_->flexibility.lowest_frequency * std::sqrt(scene_.material.k_a);
-  const double gyration = std::sqrt(inertia_);
-  const double all = energy_margin(motion.energy);
-  const double l = std::abs(motion.angular_momentum);
-  double energy = all;
-  double displacement = std::sqrt(2.0 * energy) / omega;  // root mean square, of all points
-  for (int k = 0; k < kIterations && !damped; ++k) {
-    const double rotation = 0.5 * std::pow(l / (gyration + displacement), 2);
-    energy = energy_margin(std::max(0.0, motion.energy - rotation)) + kRounding * motion.energy;
-    displacement = std::sqrt(2.0 * energy) / omega;
-  }
-  const double x = elongation(energy, scene_.material);
-  InnerBounds bounds{};
-  bounds.hold = x <= kFirstOrder * spacing_ && displacement <= kLargestDisplacement * gyration &&
-                std::isfinite(bodies_->flexibility.compliance);
-  bounds.swing = swing(bodies_->flexibility, x);
-  const double least_gyration = gyration - displacement;
-  if (damped) {
-    bounds.clockwise = bounds.counter_clockwise = std::sqrt(2.0 * all) / least_gyration;
-    return bounds;
-  }
-  const double least_inertia = least_gyration * least_gyration;
-  const double of_vibrations = energy / omega;
-  const double along = (l + of_vibrations) / least_inertia;
-  const double against = std::max(0.0, of_vibrations - l) / least_inertia;
-  const bool turns_left = motion.angular_momentum > 0.0;
-  bounds.counter_clockwise = turns_left ? along : against;
-  bounds.clockwise = turns_left ? against : along;
-  return bounds;
+  const double outermost = disk_.reach_of_tethers(inner);
+  return clearance(Eigen::ArrayXd::Constant(position.rows(), height - outermost), wall) >= 0.0;
 }
 
 FreeFlight::Surface FreeFlight::surface(const System& system, double energy) {
-  if (!bodies_->wall) return {0.0, 0.0};
+  if (!bodies_->second) return {0.0, 0.0};
   if (scene_.wall.boundary == Boundary::kFixed) {
-    return clamped_surface(elongation(energy_margin(energy), scene_.wall_material()));
+    return clamped_surface(elongation(energy_margin(energy), scene_.wall_material().k_a));
   }
-  const PointArray position = system.state().position.bottomRows(system.field().wall_points);
+  const PointArray position = system.field().second_body->rows_of(system.state().position);
   if (wall_rests(system, energy)) {
     return free_surface(position, position, 2.0 * wall_kinetic_energy(system));
   }
-  return free_surface(bodies_->wall->lattice.points, position, energy_margin(energy));
+  return free_surface(bodies_->second->lattice.points, position, energy_margin(energy));
 }
 
 bool FreeFlight::wall_rests(const System& system, double energy) {
@@ -156,12 +159,12 @@ bool FreeFlight::wall_rests(const System& system, double energy) {
 }
 
 FreeFlight::Surface FreeFlight::clamped_surface(double elongation) const {
-  const ElasticWallBody& wall = *bodies_->wall;
+  const SecondBody& wall = *bodies_->second;
   const auto bonds = static_cast<double>(wall.sides.top.size() - 1);
   const double length = wall.lattice.points(wall.sides.top.back(), 0) -
                         wall.lattice.points(wall.sides.top.front(), 0);
   const double chain = 0.5 * length + elongation * std::sqrt(0.5 * bonds);
-  const double rise = 2.0 * swing(bodies_->wall_flexibility, elongation);
+  const double rise = 2.0 * swing(bodies_->second_flexibility, elongation, spacing_);
   return {elongation <= spacing_ ? std::min(rise, chain) : chain, 0.0};
 }
 
@@ -169,32 +172,24 @@ FreeFlight::Surface FreeFlight::free_surface(const PointArray& shape, const Cons
                                              double energy) {
   const PointArray reference = about_the_centre(shape);
   const double centre = position.col(1).mean();
-  const double mass =
-      static_cast<double>(reference.rows()) / static_cast<double>(reference_.rows());
-  const double x = elongation(energy, scene_.wall_material());
-  if (x <= spacing_ && std::isfinite(bodies_->wall_flexibility.compliance)) {
+  const auto disk_points = static_cast<double>(bodies_->disk.points.rows());
+  const double mass = static_cast<double>(reference.rows()) / disk_points;
+  const double x = elongation(energy, scene_.wall_material().k_a);
+  if (x <= spacing_ && std::isfinite(bodies_->second_flexibility.compliance)) {
     const double angle = rigid_rotation(reference, position);
     const double lever = reference.col(0).abs().maxCoeff();
-    const double inertia = reference.square().sum() / static_cast<double>(reference_.rows());
-    return {
-        centre + turned_heights(reference, angle).maxCoeff() + swing(bodies_->wall_flexibility, x),
-        std::sqrt(2.0 * energy * (1.0 / mass + lever * lever / inertia))};
+    const double inertia = reference.square().sum() / disk_points;
+    return {centre + turned_heights(reference, angle).maxCoeff() +
+                swing(bodies_->second_flexibility, x, spacing_),
+            std::sqrt(2.0 * energy * (1.0 / mass + lever * lever / inertia))};
   }
-  if (!wall_tethers_) wall_tethers_.emplace(bodies_->wall->lattice);
+  if (!wall_tethers_) wall_tethers_.emplace(bodies_->second->lattice);
   return {centre + wall_tethers_->largest_distance(x), std::sqrt(2.0 * energy / mass)};
 }
 
-double FreeFlight::swing(const Flexibility& body, double elongation) const {
-  return std::sqrt(body.compliance) * elongation * (1.0 + elongation / spacing_);
-}
-
-double FreeFlight::elongation(double energy, const Scene::Material& material) {
-  return std::sqrt(2.0 * energy / material.k_a);
-}
-
 WallAbove FreeFlight::wall_above(const System& system, double limit) const {
-  const WallContact& contact = *system.field().contact();
-  if (!bodies_->wall)
+  const Contact& contact = *system.field().contact();
+  if (!bodies_->second)
     return {PotentialWall(contact.a(), contact.potential_at(0.0)), kInfinity, limit};
   return {PotentialWall(kLeastGap * contact.a(), contact.potential_at(0.0)),
           scene_.wall.threshold / kLeastGap, limit};

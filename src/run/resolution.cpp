@@ -52,9 +52,6 @@ double unit_of(IntegratorKind integrator) {
   return order_of(integrator) == 2 ? kUnit : 2.0 * kUnit;
 }
 
-/// Two points that push each other apart move against each other like one of half the mass.
-constexpr double kBothEndsMove = 2.0;
-
 /// With the wall as stiff as Simulation forecasts it at the start of a step.
 double longest_step(const Scene& scene, IntegratorKind integrator, const Rates& rates) {
   constexpr int kHalvings = 30;
@@ -179,11 +176,10 @@ double largest_point_force(const Scene& scene, int points, double sound_speed) {
   return std::max(share, stopping_one_point);
 }
 
-Rates rates(const Scene& scene, const Spectrum& lattice, const WallContact& wall, int points,
+Rates rates(const Scene& scene, const Spectrum& lattice, const Repulsion& law, int points,
             double sound_speed) {
-  const double ends = scene.wall.kind == WallKind::kLattice ? kBothEndsMove : 1.0;
-  const double stiffness = wall.stiffness(largest_point_force(scene, points, sound_speed));
-  return {lattice, ends * stiffness * points, sound_speed};
+  const double stiffness = law.stiffness(largest_point_force(scene, points, sound_speed));
+  return {lattice, moving_ends(scene) * stiffness * points, sound_speed};
 }
 
 double step_limit(IntegratorKind integrator, double omega_squared, double gamma) {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "mechanics/contact.hpp"
 #include "mechanics/integrator.hpp"
 #include "mechanics/spectrum.hpp"
-#include "mechanics/wall_contact.hpp"
 #include "scene/scene.hpp"
 
 namespace impact {
@@ -39,9 +39,8 @@ struct Rates {
 /// that stops a single point.
 double largest_point_force(const Scene& scene, int points, double sound_speed);
 
-/// The rates of a scene on this wall. Two points that push each other, one of them of an elastic
-/// wall, move like one of half the mass.
-Rates rates(const Scene& scene, const Spectrum& lattice, const WallContact& wall, int points,
+/// The rates of a scene with this law of the contact.
+Rates rates(const Scene& scene, const Spectrum& lattice, const Repulsion& law, int points,
             double sound_speed);
 
 /// Largest stable step of a method of fixed step (R/c).

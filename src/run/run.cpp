@@ -24,27 +24,31 @@ double contact_force(const Scene& scene) {
   return 1e-6 * (scene.kind == SceneKind::kContact ? scene.load.p : scene.impact.normal_velocity());
 }
 
-/// Whether a point that comes into reach of an elastic wall finds more than negligible energy
-/// there.
+/// The energy along y of the centres of mass of what comes together.
+double impact_energy(const Scene& scene, const ForceField& field) {
+  return field.impact_energy(field.reduced_mass() * scene.impact.normal_velocity());
+}
+
+/// Whether a point that comes into reach of a surface finds more than negligible energy there.
 bool is_cut_off(const Scene& scene, const ForceField& field) {
-  return field.elastic_wall && field.elastic_wall->potential_at(field.elastic_wall->threshold()) >
-                                   negligible_wall_energy(scene);
+  const Contact& contact = *field.contact();
+  return contact.potential_at(contact.threshold()) >
+         negligible_fraction(scene) * impact_energy(scene, field);
 }
 
 /// Whether contacts that passed from bond to bond, or over the edge of the wall, changed the energy
 /// of the impact by more than a little.
 bool hops_matter(const Scene& scene, const System& system) {
-  const double impact_energy = 0.5 * std::pow(scene.impact.normal_velocity(), 2);
-  return system.field().elastic_wall &&
-         system.field().elastic_wall->hops_size() > kManyHops * impact_energy;
+  const Contact* const contact = system.field().contact();
+  return contact != nullptr &&
+         contact->hops_size() > kManyHops * impact_energy(scene, system.field());
 }
 
 /// Whether a part of the disk that the wall would push lies beside it.
 bool is_beside_wall(const Scene& scene, const System& system) {
-  const double impact_energy = 0.5 * std::pow(scene.impact.normal_velocity(), 2);
-  return system.field().elastic_wall &&
-         system.field().elastic_wall->energy_beside(system.state().position) >
-             scene.numerics.error * impact_energy;
+  const Contact* const contact = system.field().contact();
+  return contact != nullptr && contact->energy_beside(system.state().position) >
+                                   scene.numerics.error * impact_energy(scene, system.field());
 }
 
 /// To the first step at or after the next output time.
@@ -82,6 +86,18 @@ DrivenSystem solved(const Scene& scene, const Composition& composition) {
 
 }  // namespace
 
+void show(const ForceField& field, const State& state, ImpactAnalysis& analysis) {
+  const auto part = [&](const Body& body) {
+    return State{state.time, state.step, body.rows_of(state.position),
+                 body.rows_of(state.velocity)};
+  };
+  if (field.second_body && field.second_body->is_free) {
+    analysis.add(part(field.first_body()), part(*field.second_body));
+  } else {
+    analysis.add(part(field.first_body()));
+  }
+}
+
 Run::Run(const Scene& scene, const std::shared_ptr<const Composition>& composition,
          const Resolution& resolution)
     : Run(scene, composition, resolution,
@@ -100,13 +116,13 @@ Run::Run(const Scene& scene, std::shared_ptr<const Composition> composition,
       flags_(composition_->bodies->flags),
       integrator_(resolution.integrator) {
   if (scene.kind != SceneKind::kCollision) return;
-  const double v = scene.impact.normal_velocity();
+  const double energy = impact_energy(scene, system_->field());
   const EnergyLedger ledger = system_->ledger();
-  wall_energy_before_ = ledger.wall;
-  const double relative_energy = 2.0 * ledger.wall / (v * v);
-  const double other_motion = ledger.total() - ledger.wall - 0.5 * v * v;
+  contact_energy_before_ = ledger.wall;
+  const double relative_energy = ledger.wall / energy;
+  const double other_motion = ledger.total() - ledger.wall - energy;
   restitution_bound_ = scene.impact.slides()
-                           ? std::sqrt(1.0 + relative_energy + 2.0 * other_motion / (v * v))
+                           ? std::sqrt(1.0 + relative_energy + other_motion / energy)
                            : std::sqrt(1.0 + relative_energy);
   if (relative_energy > scene.numerics.error) flags_.emplace_back(name_of(Flag::kStartsInWall));
   if (is_cut_off(scene, system_->field())) flags_.emplace_back(name_of(Flag::kCutOff));
@@ -116,22 +132,15 @@ void Run::advance(const std::function<bool()>& stop) {
   if (!finished_) drive_(*this, stop);
 }
 
-State Run::disk_state() const {
-  const Eigen::Index points = lattice().points.rows();
-  return {system_->time(), system_->steps(), state().position.topRows(points),
-          state().velocity.topRows(points)};
-}
-
-State Run::wall_state() const {
-  const Eigen::Index points = system_->field().wall_points;
-  return {system_->time(), system_->steps(), state().position.bottomRows(points),
-          state().velocity.bottomRows(points)};
+State Run::state_of(const Body& body) const {
+  return {system_->time(), system_->steps(), body.rows_of(state().position),
+          body.rows_of(state().velocity)};
 }
 
 double Run::tail_error() const {
-  const double v = state().velocity.col(1).head(lattice().points.rows()).mean();
-  const double before = scene_.impact.gap ? 0.0 : wall_energy_before_;
-  return before / (v * v) + 0.5 * negligible_fraction(scene_);
+  const double v = system_->field().first_body().rows_of(state().velocity).col(1).mean();
+  const double before = scene_.impact.gap ? 0.0 : contact_energy_before_;
+  return 0.5 * before / system_->field().impact_energy(v) + 0.5 * negligible_fraction(scene_);
 }
 
 void Run::observe_step() {
@@ -190,9 +199,9 @@ void Run::note_folds() {
   const Bodies& bodies = *composition_->bodies;
   const PointArray& position = state().position;
   folded_ = folded_ || bodies.triangles.turned_over(position.topRows(lattice().points.rows())) > 0;
-  if (!bodies.wall_triangles) return;
-  const auto wall = position.bottomRows(wall_lattice()->points.rows());
-  folded_ = folded_ || bodies.wall_triangles->turned_over(wall) > 0;
+  if (!bodies.second_triangles) return;
+  const auto second = position.bottomRows(second_lattice()->points.rows());
+  folded_ = folded_ || bodies.second_triangles->turned_over(second) > 0;
 }
 
 void Run::end_motion() {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "measure/flags.hpp"
+#include "measure/impact_analysis.hpp"
 #include "mechanics/system.hpp"
 #include "run/compose.hpp"
 #include "run/contact_recorder.hpp"
@@ -17,6 +18,9 @@
 namespace impact {
 
 class Run;
+
+/// Shows an analysis those bodies of a state that are free.
+void show(const ForceField& field, const State& state, ImpactAnalysis& analysis);
 
 /// A system, and what makes it go on under the eyes of a run.
 struct DrivenSystem {
@@ -66,15 +70,19 @@ class Run {
 
   bool finished() const { return finished_; }
   const Lattice& lattice() const { return composition_->bodies->disk; }
-  /// Of an elastic wall; nullptr when the scene has none.
-  const Lattice* wall_lattice() const {
-    return composition_->bodies->wall ? &composition_->bodies->wall->lattice : nullptr;
+  /// Of an elastic wall or a second disk; nullptr when the scene has none.
+  const Lattice* second_lattice() const {
+    return composition_->bodies->second ? &composition_->bodies->second->lattice : nullptr;
   }
   const System& system() const { return *system_; }
-  /// Of all points: the disk's and, after them, those of an elastic wall.
+  /// Of all points: the disk's and, after them, those of the second body.
   const State& state() const { return system_->state(); }
-  State disk_state() const;
-  State wall_state() const;
+  State state_of(const Body& body) const;
+  State disk_state() const { return state_of(system_->field().first_body()); }
+  /// Of a scene that has one.
+  State second_state() const { return state_of(*system_->field().second_body); }
+  /// Shows an analysis what flies.
+  void show(ImpactAnalysis& analysis) const { impact::show(system_->field(), state(), analysis); }
   /// The method in use.
   IntegratorKind integrator() const { return integrator_; }
   double expected_time() const { return composition_->expected_time; }
@@ -100,7 +108,8 @@ class Run {
   bool has_flag(Flag flag) const { return impact::has_flag(flags_, flag); }
 
   /// Largest e that energy allows: √(1 + 2U₀/(M v²)) with the wall's energy U₀ at the start and v
-  /// the velocity along y; where the disk also slides or spins, U₀ counts that energy too.
+  /// the velocity along y; where the disk also slides or spins, U₀ counts that energy too. Of two
+  /// disks M is the reduced mass and v the velocity against each other.
   double restitution_bound() const { return restitution_bound_; }
 
   /// Relative error of e, at the end of a collision, for what the wall's potential holds at the
@@ -123,7 +132,7 @@ class Run {
   std::function<void(Run&, const std::function<bool()>&)> drive_;
   EnergyMonitor monitor_;
   ContactRecorder recorder_;
-  double wall_energy_before_ = 0.0;
+  double contact_energy_before_ = 0.0;
   double restitution_bound_ = 0.0;
   PointArray correction_;  ///< of a contact, at the end
   std::vector<std::string> flags_;

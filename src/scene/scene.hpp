@@ -6,7 +6,7 @@
 #include <string>
 
 #include "lattice/placement.hpp"
-#include "mechanics/elastic_wall.hpp"
+#include "mechanics/surface_contact.hpp"
 #include "scene/integrators.hpp"
 
 namespace impact {
@@ -20,7 +20,8 @@ enum class SceneKind {
 
 enum class WallKind {
   kPotential,  ///< V₀ exp(−a y), §3 and §4 of the paper
-  kLattice     ///< an elastic lattice, §5 of the paper
+  kLattice,    ///< an elastic lattice, §5 of the paper
+  kDisk        ///< another disk, free as the first
 };
 
 /// What happens to waves at the left, right and bottom side of an elastic wall.
@@ -62,7 +63,7 @@ struct Scene {
     WallKind kind = WallKind::kPotential;
     double a = 300.0;
     std::optional<double> v0;   ///< empty: a R m c², half of it for an elastic wall, with m = M/N
-    std::optional<double> k_a;  ///< of an elastic wall's bonds; empty: as in the disk
+    std::optional<double> k_a;  ///< of the second body's bonds; empty: as in the disk
     std::optional<double> k_b;
     std::optional<double> eta;  ///< η*
     int points = 1269;
@@ -72,7 +73,10 @@ struct Scene {
     GapMeasure gap = GapMeasure::kNormal;
     Boundary boundary = Boundary::kReset;
     double reset_interval = 4.0e-3;
-    std::string file;  ///< a LAMMPS data file that replaces points, width and height; empty: none
+    double radius = 1.0;    ///< of a disk, R
+    bool mirrored = false;  ///< whether that disk is the first one's mirror image
+    /// A LAMMPS data file that replaces points, width and height, or radius; empty: none.
+    std::string file;
   } wall;
 
   struct Load {
@@ -88,6 +92,7 @@ struct Scene {
 
     double normal_velocity() const { return velocity * std::cos(angle * M_PI / 180.0); }
     double tangential_velocity() const { return velocity * std::sin(angle * M_PI / 180.0); }
+    double tangent() const { return std::tan(angle * M_PI / 180.0); }
     /// Whether the surface of the disk moves along the wall.
     bool slides() const { return angle != 0.0 || spin != 0.0; }
     /// Roughly the greatest speed at which a point comes towards the wall where they touch, which
@@ -119,9 +124,11 @@ struct Scene {
   bool has_elastic_wall() const {
     return kind == SceneKind::kCollision && wall.kind == WallKind::kLattice;
   }
-  /// Of the elastic wall, where it is not that of the disk.
+  bool hits_disk() const { return kind == SceneKind::kCollision && wall.kind == WallKind::kDisk; }
+  bool has_second_body() const { return has_elastic_wall() || hits_disk(); }
+  /// Of the second body, where it is not that of the disk.
   bool has_own_wall_material() const {
-    return has_elastic_wall() && (wall.k_a || wall.k_b || wall.eta);
+    return has_second_body() && (wall.k_a || wall.k_b || wall.eta);
   }
   Material wall_material() const {
     return {wall.k_a.value_or(material.k_a), wall.k_b.value_or(material.k_b),
@@ -139,8 +146,8 @@ struct Scene {
   bool has_recipes_only() const { return disk.file.empty() && wall.file.empty(); }
   /// Whether forces depend on velocities.
   bool is_damped() const {
-    return material.eta != 0.0 || (has_elastic_wall() && (wall_material().eta != 0.0 ||
-                                                          wall.boundary == Boundary::kViscous));
+    return material.eta != 0.0 || (has_second_body() && wall_material().eta != 0.0) ||
+           (has_elastic_wall() && wall.boundary == Boundary::kViscous);
   }
 };
 

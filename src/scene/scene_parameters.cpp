@@ -36,6 +36,14 @@ bool has_elastic_wall(const Scene& scene) {
   return is_moved(scene) && scene.wall.kind == WallKind::kLattice;
 }
 
+bool has_second_disk(const Scene& scene) {
+  return is_moved(scene) && scene.wall.kind == WallKind::kDisk;
+}
+
+bool has_second_body(const Scene& scene) {
+  return has_elastic_wall(scene) || has_second_disk(scene);
+}
+
 Table scene_keys() {
   return {
       choice<Scene, SceneKind>(
@@ -98,127 +106,151 @@ Table material_keys() {
 }
 
 Table wall_keys() {
-  return {
-      only(is_moved,
-           choice<Scene, WallKind>(
-               "wall.type", {{"potential", WallKind::kPotential}, {"lattice", WallKind::kLattice}},
-               "the wall V₀ exp(−a y) below the disk or, in a collision, an elastic lattice",
-               [](auto& s) -> auto& { return s.wall.kind; })),
-      only(is_moved, real<Scene>(
-                         "wall.a", "1/R", {1.0, 1e6}, "inverse range of the wall's repulsion",
-                         [](auto& s) -> auto& { return s.wall.a; })),
-      only(is_moved, real_or_auto<Scene>(
-                         "wall.V0", "M c²", {0.0, 1e6, false},
-                         "energy of the repulsion; auto: a R (M/N) c², half "
-                         "of it for an elastic wall",
-                         [](auto& s) -> auto& { return s.wall.v0; }))};
+  return {only(is_moved, choice<Scene, WallKind>(
+                             "wall.type",
+                             {{"potential", WallKind::kPotential},
+                              {"lattice", WallKind::kLattice},
+                              {"disk", WallKind::kDisk}},
+                             "what the disk meets: the wall V₀ exp(−a y) or, in a collision, an "
+                             "elastic lattice, or "
+                             "another disk that is free",
+                             [](auto& s) -> auto& { return s.wall.kind; })),
+          only(is_moved, real<Scene>(
+                             "wall.a", "1/R", {1.0, 1e6}, "inverse range of the wall's repulsion",
+                             [](auto& s) -> auto& { return s.wall.a; })),
+          only(is_moved, real_or_auto<Scene>(
+                             "wall.V0", "M c²", {0.0, 1e6, false},
+                             "energy of the repulsion; auto: a R (M/N) c², half "
+                             "of it for an elastic wall or a disk",
+                             [](auto& s) -> auto& { return s.wall.v0; }))};
 }
 
-Table elastic_wall_keys() {
-  Table table{
-      real_or_auto<Scene>(
-          "wall.k_a", "M c²/R²", {0.0, 1e6, false},
-          "elastic wall: linear stiffness of a bond; auto: as in the disk",
-          [](auto& s) -> auto& { return s.wall.k_a; }),
-      real_or_auto<Scene>(
-          "wall.k_b", "M c²/R⁴", {0.0, 1e12},
-          "elastic wall: cubic stiffness of a bond; auto: as in the disk",
-          [](auto& s) -> auto& { return s.wall.k_b; }),
-      real_or_auto<Scene>(
-          "wall.eta", "(M/N) c/R", {0.0, 1e6},
-          "elastic wall: viscosity of a bond; auto: as in the disk",
-          [](auto& s) -> auto& { return s.wall.eta; }),
-      whole<Scene>(
-          "wall.points", 3, 1000000, "elastic wall: number of mass points",
-          [](auto& s) -> auto& { return s.wall.points; }),
-      real_or_auto<Scene>(
-          "wall.width", "R", {0.1, 1000.0},
-          "elastic wall: width; auto: by the disk's number density, and twice the "
-          "height where that is auto too",
-          [](auto& s) -> auto& { return s.wall.width; }),
-      real_or_auto<Scene>(
-          "wall.height", "R", {0.1, 1000.0},
-          "elastic wall: height; auto: by the disk's number density",
-          [](auto& s) -> auto& { return s.wall.height; }),
-      real<Scene>(
-          "wall.threshold", "R", {0.0, 10.0, false},
-          "elastic wall: gap below which a point of the disk feels the surface bond below",
-          [](auto& s) -> auto& { return s.wall.threshold; }),
-      choice<Scene, GapMeasure>(
-          "wall.gap_measure",
-          {{"normal", GapMeasure::kNormal}, {"vertical", GapMeasure::kVertical}},
-          "elastic wall: gap perpendicular to the bond, or along y: continuous from bond to bond",
-          [](auto& s) -> auto& { return s.wall.gap; }),
-      choice<Scene, Boundary>(
-          "wall.boundary",
-          {{"reset", Boundary::kReset},
-           {"fixed", Boundary::kFixed},
-           {"viscous", Boundary::kViscous}},
-          "elastic wall, left, right and bottom side: velocities set to zero at intervals, points "
-          "clamped, or dashpots that absorb waves",
-          [](auto& s) -> auto& { return s.wall.boundary; }),
-      real<Scene>(
-          "wall.reset_interval", "R/c", {1e-6, 1000.0},
-          "elastic wall, boundary reset: time between resets; the step is shortened to divide it",
-          [](auto& s) -> auto& { return s.wall.reset_interval; }),
-      text<Scene>(
-          "wall.file",
-          "LAMMPS data file of a wall that replaces points, width and height: a rectangle "
-          "with points along its sides",
-          [](auto& s) -> auto& { return s.wall.file; })};
-  for (P& parameter : table) parameter.applies = has_elastic_wall;
+Table where(const Condition& condition, Table table) {
+  for (P& parameter : table) parameter.applies = condition;
   return table;
 }
 
+Table second_body_keys() {
+  return where(has_second_body,
+               {real_or_auto<Scene>(
+                    "wall.k_a", "M c²/R²", {0.0, 1e6, false},
+                    "elastic wall or disk: linear stiffness of a bond; auto: as in the first disk",
+                    [](auto& s) -> auto& { return s.wall.k_a; }),
+                real_or_auto<Scene>(
+                    "wall.k_b", "M c²/R⁴", {0.0, 1e12},
+                    "elastic wall or disk: cubic stiffness of a bond; auto: as in the first disk",
+                    [](auto& s) -> auto& { return s.wall.k_b; }),
+                real_or_auto<Scene>(
+                    "wall.eta", "(M/N) c/R", {0.0, 1e6},
+                    "elastic wall or disk: viscosity of a bond; auto: as in the first disk",
+                    [](auto& s) -> auto& { return s.wall.eta; }),
+                real<Scene>(
+                    "wall.threshold", "R", {0.0, 10.0, false},
+                    "elastic wall or disk: gap below which a point feels the surface",
+                    [](auto& s) -> auto& { return s.wall.threshold; }),
+                text<Scene>(
+                    "wall.file",
+                    "LAMMPS data file of a wall that replaces points, width and height: a "
+                    "rectangle with points along its sides; or of a disk, replacing radius",
+                    [](auto& s) -> auto& { return s.wall.file; })});
+}
+
+Table second_disk_keys() {
+  return where(
+      has_second_disk,
+      {real<Scene>(
+           "wall.radius", "R", {0.05, 20.0},
+           "disk: its radius, with points of the same mass, as dense as in the first one",
+           [](auto& s) -> auto& { return s.wall.radius; }),
+       flag<Scene>(
+           "wall.mirrored", "disk: the mirror image of the first one, in place of radius and file",
+           [](auto& s) -> auto& { return s.wall.mirrored; })});
+}
+
+Table elastic_wall_keys() {
+  return where(
+      has_elastic_wall,
+      {whole<Scene>(
+           "wall.points", 3, 1000000, "elastic wall: number of mass points",
+           [](auto& s) -> auto& { return s.wall.points; }),
+       real_or_auto<Scene>(
+           "wall.width", "R", {0.1, 1000.0},
+           "elastic wall: width; auto: by the disk's number density, and twice the "
+           "height where that is auto too",
+           [](auto& s) -> auto& { return s.wall.width; }),
+       real_or_auto<Scene>(
+           "wall.height", "R", {0.1, 1000.0},
+           "elastic wall: height; auto: by the disk's number density",
+           [](auto& s) -> auto& { return s.wall.height; }),
+       choice<Scene, GapMeasure>(
+           "wall.gap_measure",
+           {{"normal", GapMeasure::kNormal}, {"vertical", GapMeasure::kVertical}},
+           "elastic wall: gap perpendicular to the bond, or along y: continuous from bond to bond",
+           [](auto& s) -> auto& { return s.wall.gap; }),
+       choice<Scene, Boundary>(
+           "wall.boundary",
+           {{"reset", Boundary::kReset},
+            {"fixed", Boundary::kFixed},
+            {"viscous", Boundary::kViscous}},
+           "elastic wall, left, right and bottom side: velocities set to zero at intervals, points "
+           "clamped, or dashpots that absorb waves",
+           [](auto& s) -> auto& { return s.wall.boundary; }),
+       real<Scene>(
+           "wall.reset_interval", "R/c", {1e-6, 1000.0},
+           "elastic wall, boundary reset: time between resets; the step is shortened to divide it",
+           [](auto& s) -> auto& { return s.wall.reset_interval; })});
+}
+
 Table task_keys() {
-  return {
-      only(in(SceneKind::kContact), real<Scene>(
-                                        "load.P", "M c²/R", {0.0, 1.0, false},
-                                        "contact: compression, spread evenly over the points",
-                                        [](auto& s) -> auto& { return s.load.p; })),
-      only(in(SceneKind::kContact),
-           flag<Scene>(
-               "load.hold_rotation",
-               "contact: hold the rigid rotation by a torque; false: it may roll",
-               [](auto& s) -> auto& { return s.load.hold_rotation; })),
-      only(in(SceneKind::kCollision), real<Scene>(
-                                          "impact.velocity", "c", {kLeastVelocity, 1.0},
-                                          "collision: speed of the centre of mass at the start; "
-                                          "slower ones lose their energy in rounding",
-                                          [](auto& s) -> auto& { return s.impact.velocity; })),
-      only(in(SceneKind::kCollision),
-           real<Scene>(
-               "impact.angle", "degrees", {-kSteepestAngle, kSteepestAngle},
-               "collision: of the velocity from the wall's normal, towards +x",
-               [](auto& s) -> auto& { return s.impact.angle; })),
-      only(in(SceneKind::kCollision),
-           real<Scene>(
-               "impact.spin", "c/R", {-1.0, 1.0},
-               "collision: of the disk at the start, counter-clockwise; it starts stretched as "
-               "a disk that spins steadily",
-               [](auto& s) -> auto& { return s.impact.spin; })),
-      only(in(SceneKind::kCollision),
-           real_or_auto<Scene>(
-               "impact.gap", "R", {-1.0, 100.0},
-               "collision: height of the lowest point at the start; "
-               "auto: half an R/c before the wall's "
-               "energy is error/100 of the kinetic energy, and a whole number of resets before "
-               "height 0",
-               [](auto& s) -> auto& { return s.impact.gap; })),
-      only(in(SceneKind::kStretch),
-           real<Scene>(
-               "stretch.width", "R", {0.1, 1000.0}, "stretch: of the rectangle",
-               [](auto& s) -> auto& { return s.stretch.width; })),
-      only(in(SceneKind::kStretch),
-           real<Scene>(
-               "stretch.height", "R", {0.1, 1000.0}, "stretch: of the rectangle",
-               [](auto& s) -> auto& { return s.stretch.height; })),
-      only(in(SceneKind::kStretch),
-           real<Scene>(
-               "stretch.strain", "-", {-0.1, 0.1},
-               "stretch: how much the grips draw its ends apart, over the width; at least "
-               "1e-6 in size",
-               [](auto& s) -> auto& { return s.stretch.strain; }))};
+  return {only(in(SceneKind::kContact), real<Scene>(
+                                            "load.P", "M c²/R", {0.0, 1.0, false},
+                                            "contact: compression, spread evenly over the points",
+                                            [](auto& s) -> auto& { return s.load.p; })),
+          only(in(SceneKind::kContact),
+               flag<Scene>(
+                   "load.hold_rotation",
+                   "contact: hold the rigid rotation by a torque; false: it may roll",
+                   [](auto& s) -> auto& { return s.load.hold_rotation; })),
+          only(in(SceneKind::kCollision),
+               real<Scene>(
+                   "impact.velocity", "c", {kLeastVelocity, 1.0},
+                   "collision: speed of the centre of mass at the start, of two disks "
+                   "against each other; "
+                   "slower ones lose their energy in rounding",
+                   [](auto& s) -> auto& { return s.impact.velocity; })),
+          only(in(SceneKind::kCollision),
+               real<Scene>(
+                   "impact.angle", "degrees", {-kSteepestAngle, kSteepestAngle},
+                   "collision: of the velocity from the wall's normal, towards +x",
+                   [](auto& s) -> auto& { return s.impact.angle; })),
+          only(in(SceneKind::kCollision),
+               real<Scene>(
+                   "impact.spin", "c/R", {-1.0, 1.0},
+                   "collision: of the disk at the start, counter-clockwise; it starts stretched as "
+                   "a disk that spins steadily",
+                   [](auto& s) -> auto& { return s.impact.spin; })),
+          only(in(SceneKind::kCollision),
+               real_or_auto<Scene>(
+                   "impact.gap", "R", {-1.0, 100.0},
+                   "collision: height of the lowest point at the start; "
+                   "auto: half an R/c before the wall's "
+                   "energy is error/100 of the kinetic energy, and a whole number of resets before "
+                   "height 0",
+                   [](auto& s) -> auto& { return s.impact.gap; })),
+          only(in(SceneKind::kStretch),
+               real<Scene>(
+                   "stretch.width", "R", {0.1, 1000.0}, "stretch: of the rectangle",
+                   [](auto& s) -> auto& { return s.stretch.width; })),
+          only(in(SceneKind::kStretch),
+               real<Scene>(
+                   "stretch.height", "R", {0.1, 1000.0}, "stretch: of the rectangle",
+                   [](auto& s) -> auto& { return s.stretch.height; })),
+          only(in(SceneKind::kStretch),
+               real<Scene>(
+                   "stretch.strain", "-", {-0.1, 0.1},
+                   "stretch: how much the grips draw its ends apart, over the width; at least "
+                   "1e-6 in size",
+                   [](auto& s) -> auto& { return s.stretch.strain; }))};
 }
 
 /// "bdf or rk8pd".
@@ -262,8 +294,9 @@ Table numerics_keys() {
 
 Table make_table() {
   Table table;
-  for (const auto& part : {scene_keys(), disk_keys(), material_keys(), wall_keys(),
-                           elastic_wall_keys(), task_keys(), numerics_keys()}) {
+  for (const auto& part :
+       {scene_keys(), disk_keys(), material_keys(), wall_keys(), second_body_keys(),
+        elastic_wall_keys(), second_disk_keys(), task_keys(), numerics_keys()}) {
     table.insert(table.end(), part.begin(), part.end());
   }
   return table;
@@ -332,8 +365,13 @@ void check_combination(const Scene& scene) {
     throw bad_value("stretch.strain", fmt::format("{}", scene.stretch.strain),
                     fmt::format("at most -{0} or at least {0}", kLeastStrain));
   }
-  if (scene.kind == SceneKind::kContact && scene.wall.kind == WallKind::kLattice) {
-    throw bad_value("wall.type", "lattice", "potential in a contact scene");
+  if (scene.kind == SceneKind::kContact && scene.wall.kind != WallKind::kPotential) {
+    throw bad_value("wall.type", scene.wall.kind == WallKind::kLattice ? "lattice" : "disk",
+                    "potential in a contact scene");
+  }
+  if (has_second_disk(scene) && scene.wall.mirrored &&
+      (scene.wall.radius != 1.0 || !scene.wall.file.empty())) {
+    throw bad_value("wall.mirrored", "true", "false with a radius or a file of its own");
   }
   if (scene.kind == SceneKind::kContact && !scene.is_static() && scene.material.eta == 0.0) {
     throw bad_value("material.eta", "0",

@@ -45,11 +45,11 @@ std::vector<Quantity> impact_quantities(const Scene& scene) {
   list.push_back(
       number("restitution_bound", [](const auto& e) { return e.run().restitution_bound(); }));
   list.push_back(energy("dissipated", &EnergyLedger::dissipated));
-  if (scene.wall.kind == WallKind::kLattice) {
+  if (scene.has_elastic_wall()) {
     list.push_back(energy("wall_energy", &EnergyLedger::wall_lattice));
     list.push_back(energy("absorbed", &EnergyLedger::absorbed));
-    list.push_back(energy("hops", &EnergyLedger::hops_size));
   }
+  if (scene.has_second_body()) list.push_back(energy("hops", &EnergyLedger::hops_size));
   return list;
 }
 
@@ -127,9 +127,7 @@ void Experiment::start_run() {
   analysis_ = {};
   ++runs_;
   run_.emplace(make_run_(control_.resolution()));
-  const State start = start_of(*composition_, control_.resolution());
-  const Eigen::Index disk = composition_->bodies->disk.points.rows();
-  analysis_.add(State{0.0, 0, start.position.topRows(disk), start.velocity.topRows(disk)});
+  show(composition_->field, start_of(*composition_, control_.resolution()), analysis_);
   if (history_ == nullptr) return;
   history_->start();
   take_in();
@@ -170,8 +168,8 @@ void Experiment::end_run() {
 
 void Experiment::take_in() {
   const ContactReports reports = run_->take_contact_reports();
-  analysis_.add(run_->disk_state());
-  analysis_.add(reports.on_disk);
+  run_->show(analysis_);
+  analysis_.add(reports.on_first);
   if (history_ != nullptr) history_->add(*run_, strain(), reports);
 }
 

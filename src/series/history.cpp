@@ -32,8 +32,8 @@ void add_forces(const ContactReport& report, Eigen::Index first_row, PointArray&
 /// The force of the contact on each point of both bodies.
 PointArray contact_forces(const Run& run, const ContactReports& reports) {
   PointArray force = PointArray::Zero(run.state().position.rows(), 2);
-  add_forces(reports.on_disk, 0, force);
-  add_forces(reports.on_wall, run.lattice().points.rows(), force);
+  add_forces(reports.on_first, 0, force);
+  add_forces(reports.on_second, run.lattice().points.rows(), force);
   return force;
 }
 
@@ -68,7 +68,7 @@ void History::start() {
 }
 
 void History::add(const Run& run, const Strain& strain, const ContactReports& reports) {
-  csv_ += csv_line(run, strain, reports.on_disk.total.y());
+  csv_ += csv_line(run, strain, reports.on_first.total.y());
   if (states_path_.empty()) return;
   states_ << snapshot(run, reports);
 }

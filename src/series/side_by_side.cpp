@@ -93,7 +93,7 @@ class SideBySide {
   SideBySide(const std::vector<Scene>& scenes, std::shared_ptr<const Bodies> bodies,
              const std::function<bool()>& stop, const std::function<void()>& done)
       : scenes_(scenes), stop_(stop), done_(done), bodies_(std::move(bodies)) {
-    lattice_ = bodies_->wall ? joined(bodies_->disk, bodies_->wall->lattice) : bodies_->disk;
+    lattice_ = bodies_->second ? joined(bodies_->disk, bodies_->second->lattice) : bodies_->disk;
     try {
       for (std::size_t i = 0; i < scenes.size(); ++i) {
         const auto begin = Clock::now();

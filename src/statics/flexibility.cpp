@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "mechanics/body_motion.hpp"
 #include "mechanics/bond_forces.hpp"
 
 namespace impact {
@@ -16,10 +17,6 @@ using Matrix = Eigen::SparseMatrix<double>;
 
 constexpr Eigen::Index kMostComputed = 150;
 constexpr double kTooSoft = 1e8;  // a compliance that only rounding makes finite
-
-PointArray about_the_centre(const PointArray& points) {
-  return points.rowwise() - points.colwise().mean();
-}
 
 /// A point and the one furthest from it; where the first is held and the second cannot turn about
 /// it, the lattice is at rest.

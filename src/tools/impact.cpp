@@ -82,7 +82,7 @@ void perform(Experiment& experiment) {
 
 void tell_if_long(const Experiment& experiment) {
   const Run& run = experiment.run();
-  const Lattice* const wall = run.wall_lattice();
+  const Lattice* const wall = run.second_lattice();
   const Forecast expected = forecast(experiment.scene(), run.lattice().points.rows(),
                                      wall == nullptr ? 0 : wall->points.rows());
   if (expected.seconds <= kWorthTelling) return;
@@ -113,7 +113,7 @@ void write_result(const Experiment& experiment, const std::string& result, const
   write_file(files.beside("scene.yaml"), to_yaml(experiment.scene()));
   write_file(files.beside("history.csv"), history.csv());
   write_lammps_data(experiment.run().lattice(), mass, files.beside("lattice.data"));
-  if (const Lattice* const wall = experiment.run().wall_lattice()) {
+  if (const Lattice* const wall = experiment.run().second_lattice()) {
     write_lammps_data(*wall, mass, files.beside("wall.data"));
   }
   files.take_their_places();

@@ -92,7 +92,7 @@ double work_of(const Composition& composition) {
   const double omega = std::sqrt(rates.lattice.omega_squared + rates.wall);
   const double implicit = kStiffDamping * omega;
   const double gamma = rates.lattice.gamma;
-  const double rate = omega + (composition.bodies->wall ? gamma : std::min(gamma, implicit));
+  const double rate = omega + (composition.bodies->second ? gamma : std::min(gamma, implicit));
   return static_cast<double>(composition.initial.position.rows()) * composition.expected_time *
          rate;
 }
@@ -104,8 +104,8 @@ double wall_energy(const Composition& composition) {
   field.resize(force);
   field.evaluate_undamped(composition.initial.position, force);
   const double at_start = field.wall_potential_energy(composition.initial.position);
-  if (!field.elastic_wall) return at_start;
-  return std::max(at_start, field.elastic_wall->potential_at(field.elastic_wall->threshold()));
+  const Contact& contact = *field.contact();
+  return std::max(at_start, contact.potential_at(contact.threshold()));
 }
 
 bool is_sensible_impact(const Scene& scene) {

@@ -45,19 +45,19 @@ class Departure {
   bool is_certain(const Motion& motion) {
     const ForceField& field = motion.field();
     const PointArray& position = motion.state().position;
-    const Eigen::Index disk = position.rows() - field.wall_points;
-    const auto points = position.topRows(disk);
+    const Body disk = field.first_body();
+    const auto points = disk.rows_of(position);
     const Eigen::Array2d centre = points.colwise().mean();
     const double extent =
         (points.rowwise() - centre.transpose()).square().rowwise().sum().maxCoeff();
     extent_ = std::max(extent_, std::sqrt(extent));
-    if (field.wall_points > 0) {
-      top_ = std::max(top_, position.col(1).tail(field.wall_points).maxCoeff());
+    if (field.second_body) {
+      top_ = std::max(top_, field.second_body->rows_of(position).col(1).maxCoeff());
     }
-    const double speed = motion.state().velocity.col(1).head(disk).mean();
+    const double speed = disk.rows_of(motion.state().velocity).col(1).mean();
     if (!(speed > 0.0)) return false;
     const double clearance = centre.y() - extent_ - top_;
-    if (field.elastic_wall && clearance > field.elastic_wall->threshold()) return true;
+    if (clearance > field.contact()->threshold()) return true;
     return field.contact()->potential_at(clearance) < 1e-3 * error_ * 0.5 * speed * speed;
   }
 
@@ -115,7 +115,7 @@ ReferenceAnswer impact_reference(const Scene& scene) {
   const double omega = std::sqrt(rates.lattice.omega_squared);
   const double error = scene.numerics.error;
   const double on_wall = std::sqrt(rates.lattice.omega_squared + rates.wall);
-  if (!composition.bodies->wall && rates.lattice.gamma > kStiffDamping * on_wall) {
+  if (!composition.bodies->second && rates.lattice.gamma > kStiffDamping * on_wall) {
     const double step = 0.25 / on_wall;
     return converged("extrapolated_damping", error, [&](int k) {
       return restitution(scene, composition, std::ldexp(step, -k),

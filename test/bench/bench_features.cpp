@@ -124,7 +124,7 @@ const Composition& composed(Start start, int points) {
 
 std::size_t bonds(const Composition& composition) {
   const std::size_t of_wall =
-      composition.bodies->wall ? composition.bodies->wall->lattice.bonds.size() : 0;
+      composition.bodies->second ? composition.bodies->second->lattice.bonds.size() : 0;
   return composition.bodies->disk.bonds.size() + of_wall;
 }
 

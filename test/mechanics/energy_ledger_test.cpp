@@ -51,9 +51,10 @@ TEST(EnergyLedger, KeepsTheWallApartFromTheDisk) {
   above.col(1) += 2.0;
   const Lattice both = joined(plain_lattice(above, triangle().bonds), triangle());
   ForceField field{BondForces(both, {1.0, 0.0, 0.0}), 1.0 / 3.0};
-  field.wall_points = 3;
-  field.elastic_wall.emplace(WallContact(10.0, 0.1), 0.2, GapMeasure::kNormal, 3,
-                             std::vector<std::int32_t>{3, 4}, both.points);
+  field.second_body = Body{3, 3, false};
+  field.elastic_wall.emplace(Repulsion(10.0, 0.1), 0.2, GapMeasure::kNormal,
+                             std::vector<std::int32_t>{0, 1, 2}, std::vector<std::int32_t>{3, 4},
+                             both.points);
   State state;
   state.position = both.points;
   state.position(0, 0) -= 0.2;  // stretches one bond of the disk by 0.2, changes another

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct TwoBodies {
                      GapMeasure measure = GapMeasure::kNormal, double a = 40.0)
       : lattice(joined(hexagon(), triangular_patch(kColumns, kRows))),
         field{BondForces(lattice, law()), kMass} {
-    field.wall_points = kColumns * kRows;
+    field.second_body = Body{kDiskPoints, kColumns * kRows, false};
     state.position = lattice.points;
     const double top = lattice.points.col(1).maxCoeff();
     const double first = lattice.points(row(0, kRows - 1), 0);
@@ -31,10 +32,12 @@ struct TwoBodies {
         Eigen::Array2d(first + place, top + 1.3).transpose();
     state.velocity = PointArray::Zero(lattice.points.rows(), 2);
     state.velocity.topRows(kDiskPoints).rowwise() += velocity.transpose();
+    std::vector<std::int32_t> points(kDiskPoints);
+    std::iota(points.begin(), points.end(), 0);
     std::vector<std::int32_t> surface;
     for (int column = 0; column < kColumns; ++column) surface.push_back(row(column, kRows - 1));
-    field.elastic_wall.emplace(WallContact(a, 0.1), 1.0, measure, kDiskPoints, std::move(surface),
-                               state.position);
+    field.elastic_wall.emplace(Repulsion(a, 0.1), 1.0, measure, std::move(points),
+                               std::move(surface), state.position);
   }
 
   /// Rows of the patch's lowest points.

@@ -57,7 +57,7 @@ inline std::vector<Message> messages_of(const Scene& scene, std::uint32_t number
   std::uint32_t sequence = 0;
   ImpactAnalysis analysis;
   const auto send = [&] {
-    const ContactReport report = run.take_contact_reports().on_disk;
+    const ContactReport report = run.take_contact_reports().on_first;
     analysis.add(run.state());
     analysis.add(report);
     lattice_impact::ParticleStates states = to_message(run.state());

@@ -38,8 +38,8 @@ TEST(Compose, BuildsOnlyTheTermsOfACollision) {
     scene.material.eta = eta;
     const Composition composition = compose(scene);
     EXPECT_EQ(composition.field.terms(), (Names{bonds, "potential wall"}));
-    EXPECT_FALSE(composition.bodies->wall.has_value());
-    EXPECT_EQ(composition.field.wall_points, 0);
+    EXPECT_FALSE(composition.bodies->second.has_value());
+    EXPECT_EQ(composition.field.second_points(), 0);
     EXPECT_EQ(composition.initial.position.rows(), 1099);
   }
 }
@@ -105,7 +105,7 @@ TEST(Compose, BuildsOnlyBondsAndGripsForAStretch) {
   const Composition composition = compose(scene);
   EXPECT_EQ(composition.field.terms(), (Names{"bonds (cubic)", "supports"}));
   EXPECT_EQ(composition.field.contact(), nullptr);
-  EXPECT_FALSE(composition.bodies->wall.has_value());
+  EXPECT_FALSE(composition.bodies->second.has_value());
   // 4 R × 2 R at the density of 1099 points in a disk.
   EXPECT_EQ(composition.bodies->disk.points.rows(), 2799);
   const Supports& grips = *composition.field.supports;
@@ -120,11 +120,11 @@ TEST(Compose, BuildsOnlyBondsAndGripsForAStretch) {
 TEST(Compose, PutsTheDiskAboveTheElasticWall) {
   const Scene scene = elastic_wall_scene(Boundary::kReset);
   const Composition composition = compose(scene);
-  ASSERT_TRUE(composition.bodies->wall.has_value());
-  EXPECT_EQ(composition.field.wall_points, 1269);
+  ASSERT_TRUE(composition.bodies->second.has_value());
+  EXPECT_EQ(composition.field.second_points(), 1269);
   ASSERT_EQ(composition.initial.position.rows(), 1099 + 1269);
   const PointArray& position = composition.initial.position;
-  EXPECT_TRUE((position.bottomRows(1269) == composition.bodies->wall->lattice.points).all());
+  EXPECT_TRUE((position.bottomRows(1269) == composition.bodies->second->lattice.points).all());
   EXPECT_EQ(position.col(1).tail(1269).maxCoeff(), 0.0);
   EXPECT_TRUE((composition.initial.velocity.bottomRows(1269) == 0.0).all());
   EXPECT_TRUE((composition.initial.velocity.col(1).head(1099) == -0.01).all());
@@ -150,7 +150,7 @@ TEST(Compose, DoesNotChangeTheDiskForAnElasticWall) {
 /// On the left, right and bottom side both coordinates, on the top none but the corners'.
 TEST(Compose, ClampsThreeSidesOfAFixedWall) {
   const Composition composition = compose(elastic_wall_scene(Boundary::kFixed));
-  const PointArray& wall = composition.bodies->wall->lattice.points;
+  const PointArray& wall = composition.bodies->second->lattice.points;
   const double side = wall.col(0).maxCoeff();
   const double bottom = wall.col(1).minCoeff();
   const Supports& clamps = *composition.field.supports;

@@ -30,7 +30,7 @@ TEST(ContactRecorder, ReportsSumUpToTheWholeCourse) {
     simulation.step();
     recorder.add_step(simulation);
     if (k % 7 != 0 && k != 600) continue;
-    const ContactReport report = recorder.take(simulation).on_disk;
+    const ContactReport report = recorder.take(simulation).on_first;
     EXPECT_EQ(report.step, simulation.state().step);
     EXPECT_EQ(report.total.y(), simulation.field().wall->total_force().y());
     for (const PointForce& point : report.points) {
@@ -59,7 +59,7 @@ TEST(ContactRecorder, BeginsWithTheForceAtTheStart) {
   const Simulation simulation(std::move(composition.field), std::move(composition.initial),
                               composition.rates.lattice, composition.resolution.step);
   ContactRecorder recorder(simulation, 0.0);
-  const ContactReport report = recorder.take(simulation).on_disk;
+  const ContactReport report = recorder.take(simulation).on_first;
   EXPECT_GT(report.peak_force, 0.9 * scene.load.p);
   EXPECT_EQ(report.peak_force, report.total.y());
   EXPECT_EQ(report.impulse, 0.0);
@@ -81,17 +81,17 @@ TEST(ContactRecorder, ReportsTheReactionsOfAnElasticWall) {
     simulation.step();
     recorder.add_step(simulation);
     const ContactReports reports = recorder.take(simulation);
-    EXPECT_TRUE((reports.on_disk.total == -reports.on_wall.total).all());
-    EXPECT_EQ(reports.on_wall.step, simulation.state().step);
+    EXPECT_TRUE((reports.on_first.total == -reports.on_second.total).all());
+    EXPECT_EQ(reports.on_second.step, simulation.state().step);
     Eigen::Array2d on_wall = Eigen::Array2d::Zero();
-    for (const PointForce& point : reports.on_wall.points) {
+    for (const PointForce& point : reports.on_second.points) {
       EXPECT_GE(point.point, 0);
       EXPECT_LT(point.point, 60);
       on_wall += point.force;
     }
     // Rounding of forces of up to 1.
-    EXPECT_LT((on_wall - reports.on_wall.total).abs().maxCoeff(), 1e-13);
-    listed = std::max(listed, reports.on_wall.points.size());
+    EXPECT_LT((on_wall - reports.on_second.total).abs().maxCoeff(), 1e-13);
+    listed = std::max(listed, reports.on_second.points.size());
   }
   EXPECT_GT(listed, 2U);
 }

@@ -57,7 +57,7 @@ class EndlessCollision {
     double greatest = 0.0;
     while (time() < time_of_end) {
       simulation_.step();
-      const WallContact& wall = *simulation_.field().contact();
+      const Contact& wall = *simulation_.field().contact();
       greatest = std::max(greatest, wall.total_force().y() / wall.a());
     }
     return greatest / (fraction_ * 0.5 * v * v);

@@ -399,6 +399,7 @@ TEST(ErrorControl, CountsWhatTheWallStillHoldsAsVelocity) {
   measured.tangential_velocity_before = 0.0;
   measured.spin_before = 0.0;
   measured.moment_of_inertia = 0.5;
+  measured.energy_before = 0.5 * 0.05 * 0.05;
   measured.velocity_after = 0.04;
   measured.energy_restitution = 0.85;
   measured.impulse = 0.09;
@@ -433,7 +434,7 @@ TEST(ErrorControl, CountsForcesThatTurnAtAHop) {
   ErrorControl control(scene, *composition);
   impact::Run run(scene, composition, control.resolution());
   while (!run.finished()) run.advance();
-  const ElasticWall& wall = *run.system().field().elastic_wall;
+  const SurfaceContact& wall = *run.system().field().elastic_wall;
   ASSERT_GT(wall.turned(), 3.0 * wall.hops_size());
   Restitution measured;
   measured.velocity_before = -0.05;

@@ -31,7 +31,7 @@ Restitution result_of(impact::Run run) {
   analysis.add(run.disk_state());
   while (!run.finished()) run.advance();
   analysis.add(run.disk_state());
-  analysis.add(run.take_contact_reports().on_disk);
+  analysis.add(run.take_contact_reports().on_first);
   return analysis.restitution(true);
 }
 

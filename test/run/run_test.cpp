@@ -24,11 +24,11 @@ namespace {
 Restitution finish(Run& run) {
   ImpactAnalysis analysis;
   analysis.add(run.disk_state());
-  analysis.add(run.take_contact_reports().on_disk);
+  analysis.add(run.take_contact_reports().on_first);
   while (!run.finished()) {
     run.advance();
     analysis.add(run.disk_state());
-    analysis.add(run.take_contact_reports().on_disk);
+    analysis.add(run.take_contact_reports().on_first);
   }
   return analysis.restitution(!run.has_flag(Flag::kNotSeparated));
 }
@@ -112,7 +112,7 @@ TEST(Collision, RunsOfOneCompositionAreTheSame) {
   impact::Run second(scene, composition);
   EXPECT_EQ(finish(second).restitution, answer.restitution);
   EXPECT_EQ(&first.lattice(), &composition->bodies->disk);
-  EXPECT_EQ(second.wall_lattice(), &composition->bodies->wall->lattice);
+  EXPECT_EQ(second.second_lattice(), &composition->bodies->second->lattice);
 }
 
 /// Bit for bit, whether the step divides the period or not, or is longer than it.
@@ -351,8 +351,8 @@ void expect_same(Run& run, Run& expected) {
   EXPECT_EQ(run.energy_error(), expected.energy_error());
   EXPECT_EQ(run.correction().rows(), expected.correction().rows());
   EXPECT_TRUE((run.correction() == expected.correction()).all());
-  const ContactReport report = run.take_contact_reports().on_disk;
-  const ContactReport expected_report = expected.take_contact_reports().on_disk;
+  const ContactReport report = run.take_contact_reports().on_first;
+  const ContactReport expected_report = expected.take_contact_reports().on_first;
   EXPECT_EQ(report.impulse, expected_report.impulse);
   EXPECT_EQ(report.peak_force, expected_report.peak_force);
   EXPECT_EQ(report.samples.size(), expected_report.samples.size());
@@ -553,11 +553,11 @@ TEST(AbsorbingWall, FlagsAContactBesideIt) {
 
 TEST(AbsorbingWall, HasAStateOfEachBody) {
   impact::Run run(absorbing_wall());
-  ASSERT_NE(run.wall_lattice(), nullptr);
-  EXPECT_TRUE((run.wall_state().position == run.wall_lattice()->points).all());
+  ASSERT_NE(run.second_lattice(), nullptr);
+  EXPECT_TRUE((run.second_state().position == run.second_lattice()->points).all());
   while (!run.finished()) run.advance();
   const State disk = run.disk_state();
-  const State wall = run.wall_state();
+  const State wall = run.second_state();
   ASSERT_EQ(disk.position.rows(), 200);
   ASSERT_EQ(wall.position.rows(), 240);
   PointArray position(440, 2);
@@ -566,7 +566,7 @@ TEST(AbsorbingWall, HasAStateOfEachBody) {
   EXPECT_TRUE((wall.velocity == run.state().velocity.bottomRows(240)).all());
   EXPECT_EQ(disk.time, run.state().time);
   EXPECT_EQ(wall.step, run.state().step);
-  EXPECT_EQ(impact::Run(Scene{}).wall_lattice(), nullptr);
+  EXPECT_EQ(impact::Run(Scene{}).second_lattice(), nullptr);
 }
 
 /// The disk's momentum is the wall's impulse, whatever becomes of it in the wall.

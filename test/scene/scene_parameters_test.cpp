@@ -37,21 +37,25 @@ std::string missing_keys(const std::string& yaml) {
 }
 
 TEST(ParseScene, HasTheKeysOfItsKind) {
+  const std::string of_second_body = "wall.k_a wall.k_b wall.eta wall.threshold wall.file ";
   const std::string of_elastic_wall =
-      "wall.k_a wall.k_b wall.eta wall.points wall.width wall.height wall.threshold "
-      "wall.gap_measure wall.boundary "
-      "wall.reset_interval wall.file ";
+      "wall.points wall.width wall.height wall.gap_measure wall.boundary wall.reset_interval ";
+  const std::string of_second_disk = "wall.radius wall.mirrored ";
+  const std::string of_others = of_second_body + of_elastic_wall + of_second_disk;
   const std::string of_contact = "load.P load.hold_rotation ";
   const std::string of_collision = "impact.velocity impact.angle impact.spin impact.gap ";
   const std::string of_stretch = "stretch.width stretch.height stretch.strain ";
   const std::string of_motion =
       "disk.rim disk.file disk.scale disk.orientation material.eta wall.type wall.a wall.V0 ";
-  EXPECT_EQ(missing_keys("{scene: collision}"), of_elastic_wall + of_contact + of_stretch);
-  EXPECT_EQ(missing_keys("{scene: collision, wall: {type: lattice}}"), of_contact + of_stretch);
+  EXPECT_EQ(missing_keys("{scene: collision}"), of_others + of_contact + of_stretch);
+  EXPECT_EQ(missing_keys("{scene: collision, wall: {type: lattice}}"),
+            of_second_disk + of_contact + of_stretch);
+  EXPECT_EQ(missing_keys("{scene: collision, wall: {type: disk}}"),
+            of_elastic_wall + of_contact + of_stretch);
   EXPECT_EQ(missing_keys("{scene: contact, material: {eta: 1}}"),
-            of_elastic_wall + of_collision + of_stretch);
+            of_others + of_collision + of_stretch);
   EXPECT_EQ(missing_keys("{scene: stretch}"),
-            of_motion + of_elastic_wall + of_contact + of_collision +
+            of_motion + of_others + of_contact + of_collision +
                 "numerics.step numerics.tolerance output.period ");
 }
 

@@ -246,11 +246,21 @@ TEST(SideBySide, DoesSoWhereTheDiskSlides) {
              "{velocity: [0.03, 0.05], angle: [-30, 60], spin: [0, 0.02]}}"));
 }
 
+TEST(SideBySide, DoesSoWithTwoDisks) {
+  expect_results_of_single_experiments(scenes(
+      "{scene: collision, disk: {points: 30}, wall: {type: disk, radius: 0.8, a: [150, 300]}, "
+      "impact: {velocity: [0.03, 0.05], angle: [0, 40]}}"));
+}
+
 /// What is put into lanes by its scene is what lanes take by its forces.
 TEST(SideBySide, PutsIntoLanesWhatLanesKnow) {
-  const auto walls = {"type: potential", "type: lattice, points: 60, boundary: fixed",
+  const auto walls = {"type: potential",
+                      "type: lattice, points: 60, boundary: fixed",
                       "type: lattice, points: 60, boundary: viscous",
-                      "type: lattice, points: 60, k_a: 0.5", "type: lattice, points: 60, eta: 1"};
+                      "type: lattice, points: 60, k_a: 0.5",
+                      "type: lattice, points: 60, eta: 1",
+                      "type: disk",
+                      "type: disk, radius: 0.5, k_a: 2"};
   for (const char* const wall : walls) {
     for (const Scene& scene :
          scenes(fmt::format("{{scene: collision, disk: {{points: 20}}, material: {{eta: [0, 1]}}, "

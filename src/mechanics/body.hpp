@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "lattice/lattice.hpp"
+
+namespace impact {
+
+/// Where a body is in arrays of all points, and whether it is one.
+struct Body {
+  Eigen::Index first = 0;  ///< of its rows
+  Eigen::Index points = 0;
+  /// Whether nothing holds it, so that it has a motion of its own: a disk, not a wall.
+  bool is_free = true;
+
+  /// Its rows of such an array.
+  auto rows_of(const PointArray& all) const { return all.middleRows(first, points); }
+  auto rows_of(PointArray& all) const { return all.middleRows(first, points); }
+};
+
+}  // namespace impact

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace impact {
+
+/// Names of the terms of scenes that have a second body.
+constexpr const char* kElasticWallName = "elastic wall";
+constexpr const char* kDiskContactName = "contact of disks";
+
+}  // namespace impact
