@@ -19,7 +19,17 @@ double squared(double number) { return number * number; }
 
 void ImpactAnalysis::add(const State& state) {
   latest_.first = body_motion(state.position, state.velocity);
+  if (!before_) touching_height_ = latest_.first.centre.y() - state.position.col(1).minCoeff();
+  if (gravity_ != 0.0) latest_.first = where_it_touches(latest_.first);
   if (!before_) before_ = latest_;
+}
+
+/// With the velocity that free flight has there; NaN if it does not come so high.
+BodyMotion ImpactAnalysis::where_it_touches(BodyMotion motion) const {
+  double& v = motion.velocity.y();
+  const double fall = 2.0 * gravity_ * (motion.centre.y() - touching_height_);
+  v = std::copysign(std::sqrt(v * v + fall), v);
+  return motion;
 }
 
 void ImpactAnalysis::add(const State& state, const State& second) {

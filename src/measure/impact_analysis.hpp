@@ -50,6 +50,11 @@ struct Restitution {
 /// answer does not depend on how often states are given.
 class ImpactAnalysis {
  public:
+  /// Where gravity (c²/R) pulls the disk down, its velocities before and after are those which it
+  /// has, in free flight, at the height at which it touches: where its lowest point at the start
+  /// would be at y = 0.
+  explicit ImpactAnalysis(double gravity = 0.0) : gravity_(gravity) {}
+
   void add(const State& state);
   /// Of a disk and of another one that it meets.
   void add(const State& state, const State& second);
@@ -72,7 +77,10 @@ class ImpactAnalysis {
   };
   Shares shares(const Motions& motions) const;
   double sliding(const Motions& motions) const;
+  BodyMotion where_it_touches(BodyMotion motion) const;
 
+  double gravity_;
+  double touching_height_ = 0.0;  ///< of the centre of mass, R
   std::optional<Motions> before_;
   Motions latest_;
   double second_radius_ = 0.0;  ///< R, from the centre of mass to where it is touched

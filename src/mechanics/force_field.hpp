@@ -15,6 +15,7 @@
 #include "mechanics/disk_contact.hpp"
 #include "mechanics/energy_ledger.hpp"
 #include "mechanics/force_term.hpp"
+#include "mechanics/gravity.hpp"
 #include "mechanics/losses.hpp"
 #include "mechanics/potential_wall.hpp"
 #include "mechanics/rotation_hold.hpp"
@@ -46,6 +47,7 @@ struct ForceField {
   std::optional<SurfaceContact> elastic_wall{};
   std::optional<DiskContact> disk_contact{};
   std::optional<CompressionLoad> load{};
+  std::optional<Gravity> gravity{};
   std::optional<CentrifugalForce> centrifugal{};
   std::optional<ViscousBoundary> viscous_boundary{};
   std::optional<VelocityReset> velocity_reset{};
@@ -55,7 +57,7 @@ struct ForceField {
   /// All terms but the bonds, in the order in which their forces are added.
   template <class Field>
   static auto every_term(Field& field) {
-    return std::tie(field.wall, field.elastic_wall, field.disk_contact, field.load,
+    return std::tie(field.wall, field.elastic_wall, field.disk_contact, field.load, field.gravity,
                     field.centrifugal, field.viscous_boundary, field.velocity_reset, field.hold,
                     field.supports);
   }

@@ -46,14 +46,15 @@ class RunChecks {
   std::string fault_of_samples(const lattice_impact::ContactForces& forces, const Trapezoid& sum,
                                bool every_step) const;
   static std::string fault_of_sliding(const State& start, const Scene& scene);
-  std::string fault_of_momentum(double velocity, const Trapezoid& sum, const Scene& scene,
-                                double step_size) const;
+  std::string fault_of_momentum(double velocity, double time, const Trapezoid& sum,
+                                const Scene& scene, double step_size) const;
 
   std::size_t points_ = 0;
   std::size_t states_ = 0;
   std::uint64_t last_step_ = 0;
   std::optional<ForceSample> last_sample_;
   double last_velocity_ = 0.0;  ///< c, of the centre of mass along y
+  double last_time_ = 0.0;      ///< R/c
 };
 
 }  // namespace impact

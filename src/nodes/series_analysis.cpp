@@ -78,6 +78,7 @@ void SeriesAnalysis::add(const lattice_impact::RunStatus& message) {
   if (!run.scene) {
     try {
       run.scene = parse_scene(parse_keys(message.scene, "scene"));
+      run.impact = ImpactAnalysis(run.scene->gravity);
     } catch (const std::exception& error) {
       fault = error.what();
     }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "fits/law_fit.hpp"
 #include "measure/flags.hpp"
@@ -67,11 +69,12 @@ std::array<double, 2> paper_values(const Scene& scene) {
   return absorbs ? kPaperAbsorbingWall : std::array<double, 2>{kNaN, kNaN};
 }
 
-lattice_impact::LawFit means_by_angle(const std::map<double, std::vector<double>>& answers) {
+lattice_impact::LawFit means_only(const std::string& name, const std::string& reason,
+                                  std::vector<MeanPoint> points) {
   LawFit law;
-  law.law = "restitution_by_angle";
-  law.points = mean_points(answers, 1.0);
-  law.fit.declined = "means only";
+  law.law = name;
+  law.points = std::move(points);
+  law.fit.declined = reason;
   lattice_impact::LawFit message = to_message(law);
   message.young_modulus = message.poisson_ratio = message.sound_speed = kNaN;
   message.dissipation_time = kNaN;
@@ -108,7 +111,10 @@ void SeriesFits::add_by_angle(const ClosedRun& run) {
   } else {
     ++group.left_out;
   }
-  if (group.answers.size() > 1) output(means_by_angle(group.answers), run, key, group);
+  if (group.answers.size() > 1) {
+    output(means_only("restitution_by_angle", "means only", mean_points(group.answers, 1.0)), run,
+           key, group);
+  }
 }
 
 void SeriesFits::output(lattice_impact::LawFit message, const ClosedRun& run,
@@ -144,10 +150,13 @@ lattice_impact::LawFit SeriesFits::fit(const Group& group) const {
 lattice_impact::LawFit SeriesFits::fit_collisions(const Group& group,
                                                   const DiskElasticity& elastic) const {
   const double young_modulus = elastic.young_modulus.value;
+  std::vector<MeanPoint> points = mean_points(group.answers, sound_speed(young_modulus));
+  if (group.scene.hits_disk()) {
+    return means_only("restitution", "means only: the theory is that of a wall", std::move(points));
+  }
   const DissipationTime dissipation = measure_dissipation(group, young_modulus);
-  lattice_impact::LawFit message =
-      to_message(restitution_law_fit(mean_points(group.answers, sound_speed(young_modulus)),
-                                     young_modulus, dissipation.value, paper_values(group.scene)));
+  lattice_impact::LawFit message = to_message(
+      restitution_law_fit(points, young_modulus, dissipation.value, paper_values(group.scene)));
   message.dissipation_time = dissipation.value;
   message.dissipation_time_origin = dissipation.origin;
   return message;

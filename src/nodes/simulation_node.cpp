@@ -174,7 +174,7 @@ void SimulationNode::simulate(const Scene& scene,
   start(scene, run);
   try {
     if (!failure.empty()) throw RunFailure(failure);
-    const Restitution measured = publish_run(run, scene.output.period);
+    const Restitution measured = publish_run(run, scene);
     if (run.finished() && !control.accepted()) control.accepts(run, measured);
     take_answer(control);
   } catch (const std::runtime_error& cause) {
@@ -198,14 +198,14 @@ void SimulationNode::close_bag(bool complete) {
   }
 }
 
-Restitution SimulationNode::publish_run(Run& run, double period) {
-  ImpactAnalysis analysis;
+Restitution SimulationNode::publish_run(Run& run, const Scene& scene) {
+  ImpactAnalysis analysis(scene.gravity);
   publish_status(run, lattice_impact::RunStatus::RUNNING);
   publish_output(run, analysis);
   while (!run.finished() && !asked_to_end()) {
     run.advance(asked_to_end);
     publish_output(run, analysis);
-    progress_->note_states(status_.states, run.expected_time() / period);
+    progress_->note_states(status_.states, run.expected_time() / scene.output.period);
   }
   return analysis.restitution(run.finished() && !run.has_flag(Flag::kNotSeparated));
 }

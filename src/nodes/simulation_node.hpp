@@ -45,11 +45,12 @@ class SimulationNode {
  private:
   void simulate(const Scene& scene, const std::shared_ptr<const Composition>& composition);
   /// `period`: R/c between outputs.
-  Restitution publish_run(Run& run, double period);
+  Restitution publish_run(Run& run, const Scene& scene);
   void start(const Scene& scene, const Run& run);
   void publish_output(Run& run, ImpactAnalysis& analysis);
   void send_lattice(BodyTopic body, const Lattice& lattice, const Run& run);
-  void send(BodyTopic body, const State& state, const ContactReport& report, const ros::Time& stamp);
+  void send(BodyTopic body, const State& state, const ContactReport& report,
+            const ros::Time& stamp);
   void send_scalars(const Run& run, const ContactReport& report);
   void publish_status(const Run& run, std::uint8_t phase, const std::string& error = {});
   void take_answer(const ErrorControl& control);

@@ -118,8 +118,11 @@ void add_terms(const Scene& scene, const Bodies& bodies, const PotentialWall& wa
   } else {
     field.wall = wall;
   }
+  if (scene.gravity != 0.0 && scene.kind == SceneKind::kCollision) {
+    field.gravity.emplace(scene.gravity, bodies.disk.points.rows());
+  }
   if (scene.kind != SceneKind::kContact) return;
-  field.load.emplace(scene.load.p);
+  field.load.emplace(scene.load.p, bodies.disk.points.rows());
   if (scene.load.hold_rotation) field.hold.emplace(bodies.disk.points);
 }
 

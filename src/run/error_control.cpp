@@ -119,7 +119,7 @@ void ErrorControl::find_resolution(const std::shared_ptr<const Composition>& com
   if (!is_controlled()) return;
   while (!accepted_ && !stop()) {
     Run run(scene_, composition, resolution_);
-    ImpactAnalysis analysis;
+    ImpactAnalysis analysis(scene_.gravity);
     run.show(analysis);
     try {
       while (!run.finished() && !stop()) run.advance(stop);

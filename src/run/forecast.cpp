@@ -103,8 +103,8 @@ Eigen::Index points_of(const Scene& scene) {
 Eigen::Index second_points_of(const Scene& scene) {
   if (scene.has_elastic_wall()) return scene.wall.points;
   if (!scene.hits_disk()) return 0;
-  const double radius = scene.wall.mirrored ? 1.0 : scene.wall.radius;
-  return std::llround(static_cast<double>(scene.disk.recipe.points) * radius * radius);
+  const int points = scene.disk.recipe.points;
+  return scene.second_disk_points(points).value_or(points);
 }
 
 /// The keys whose defaults would at least halve the time, those that would most first.

@@ -127,7 +127,8 @@ bool FreeFlight::leaves_wall(const System& system, double fraction) {
   const Surface below = surface(system, ledger.wall_lattice);
   const WallAbove wall = wall_above(system, fraction * 0.5 * v * v);
   const double height = body.centre.y() - below.height;
-  const double velocity = v - below.speed;
+  // With gravity g until the top of the flight, where v t − g t²/2 ≥ v t/2.
+  const double velocity = (system.field().gravity ? 0.5 : 1.0) * v - below.speed;
   const InnerBounds bound = disk_.bounds(inner);
   if (bound.hold && disk_.is_unfolded(position)) {
     return stays_above(disk_.reference(),

@@ -53,6 +53,8 @@ bool stays_above(const PointArray& reference, const Flight& flight, const WallAb
 /// Gaps perpendicular to the surface are taken as 0.9 of the vertical ones, which holds for slopes
 /// up to 0.48.
 ///
+/// Under gravity the flight is followed to its top: what comes after is another impact.
+///
 /// Two disks that fly apart do so for good where the distance of their centres exceeds what both
 /// reach, and the gap at which all points of their outlines together would hold the limit.
 class FreeFlight {

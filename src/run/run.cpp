@@ -120,7 +120,7 @@ Run::Run(const Scene& scene, std::shared_ptr<const Composition> composition,
   const EnergyLedger ledger = system_->ledger();
   contact_energy_before_ = ledger.wall;
   const double relative_energy = ledger.wall / energy;
-  const double other_motion = ledger.total() - ledger.wall - energy;
+  const double other_motion = ledger.kinetic() + ledger.bonds - energy;
   restitution_bound_ = scene.impact.slides()
                            ? std::sqrt(1.0 + relative_energy + other_motion / energy)
                            : std::sqrt(1.0 + relative_energy);

@@ -15,8 +15,6 @@
 namespace impact {
 namespace {
 
-constexpr int kFewestPoints = 3;
-
 SecondBody as_placed(const Scene& scene, const Lattice& first) {
   if (scene.wall.mirrored) {
     PointArray points = first.points;
@@ -32,9 +30,7 @@ SecondBody as_placed(const Scene& scene, const Lattice& first) {
     }
   }
   PlacementRecipe recipe = scene.disk.recipe;
-  const double points =
-      std::round(static_cast<double>(first.points.rows()) * std::pow(scene.wall.radius, 2));
-  recipe.points = std::max(kFewestPoints, static_cast<int>(points));
+  recipe.points = *scene.second_disk_points(static_cast<double>(first.points.rows()));
   return {triangulated_lattice(scene.wall.radius *
                                place_in_disk(recipe, scene.seed ^ kSeedOfSecondBody))};
 }

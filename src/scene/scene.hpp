@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -100,6 +101,8 @@ struct Scene {
     double approach_velocity() const { return normal_velocity() + 0.2 * std::abs(spin); }
   } impact;
 
+  double gravity = 0.0;  ///< c²/R, on the disk of a collision, towards the wall
+
   struct Stretch {
     double width = 4.0;
     double height = 2.0;
@@ -125,6 +128,14 @@ struct Scene {
     return kind == SceneKind::kCollision && wall.kind == WallKind::kLattice;
   }
   bool hits_disk() const { return kind == SceneKind::kCollision && wall.kind == WallKind::kDisk; }
+  /// The points of a second disk beside a first one of so many; empty: as its file has them.
+  std::optional<int> second_disk_points(double first_points) const {
+    constexpr int kFewest = 3;
+    if (wall.mirrored) return static_cast<int>(first_points);
+    if (!wall.file.empty()) return std::nullopt;
+    return std::max(kFewest,
+                    static_cast<int>(std::round(first_points * wall.radius * wall.radius)));
+  }
   bool has_second_body() const { return has_elastic_wall() || hits_disk(); }
   /// Of the second body, where it is not that of the disk.
   bool has_own_wall_material() const {

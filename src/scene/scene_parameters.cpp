@@ -40,6 +40,10 @@ bool has_second_disk(const Scene& scene) {
   return is_moved(scene) && scene.wall.kind == WallKind::kDisk;
 }
 
+bool falls(const Scene& scene) {
+  return scene.kind == SceneKind::kCollision && !has_second_disk(scene);
+}
+
 bool has_second_body(const Scene& scene) {
   return has_elastic_wall(scene) || has_second_disk(scene);
 }
@@ -237,6 +241,12 @@ Table task_keys() {
                    "energy is error/100 of the kinetic energy, and a whole number of resets before "
                    "height 0",
                    [](auto& s) -> auto& { return s.impact.gap; })),
+          only(falls,
+               real<Scene>(
+                   "gravity", "c²/R", {0.0, 1.0},
+                   "collision with a wall: acceleration of the disk towards it; e is then that of "
+                   "the velocities where the disk touches",
+                   [](auto& s) -> auto& { return s.gravity; })),
           only(in(SceneKind::kStretch),
                real<Scene>(
                    "stretch.width", "R", {0.1, 1000.0}, "stretch: of the rectangle",

@@ -124,7 +124,7 @@ Experiment::Experiment(const Scene& scene, std::shared_ptr<const Composition> co
 }
 
 void Experiment::start_run() {
-  analysis_ = {};
+  analysis_ = ImpactAnalysis(scene_.gravity);
   ++runs_;
   run_.emplace(make_run_(control_.resolution()));
   show(composition_->field, start_of(*composition_, control_.resolution()), analysis_);

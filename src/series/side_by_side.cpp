@@ -398,7 +398,7 @@ bool can_be_in_lanes(const Scene& scene) {
   if (scene.is_static()) return true;
   const bool known = scene.wall.kind == WallKind::kPotential ||
                      (!scene.is_damped() && !scene.has_own_wall_material());
-  return scene.kind == SceneKind::kCollision && known &&
+  return scene.kind == SceneKind::kCollision && known && scene.gravity == 0.0 &&
          traits_of(scene.numerics.integrator).in_lanes;
 }
 

@@ -71,6 +71,56 @@ TEST(ImpactAnalysis, MeasuresAnObliqueImpact) {
   EXPECT_DOUBLE_EQ(std::pow(result.energy_restitution, 2), 2.5 / 15.0);
 }
 
+/// Two squares of mass 1 as seen from their centre of mass, of inertia 2 each: before, (1.5, −1)
+/// and the opposite, the first one spinning at 1, energy 2 (2.25 + 1) + 2 = 8.5; after, (0.5, 0.5)
+/// and the opposite, spins −0.5 and 0.25. The second one is touched 1 above its middle.
+TEST(ImpactAnalysis, CountsBothOfTwoDisks) {
+  ImpactAnalysis analysis;
+  analysis.add(square_with_velocity(1.5, -1.0, 1.0), square_with_velocity(-1.5, 1.0, 0.0));
+  analysis.add(square_with_velocity(0.5, 0.5, -0.5), square_with_velocity(-0.5, -0.5, 0.25));
+  const Restitution result = analysis.restitution(true);
+  EXPECT_EQ(result.restitution, 0.5);
+  EXPECT_DOUBLE_EQ(result.energy_before, 4.25);
+  EXPECT_DOUBLE_EQ(result.normal_energy, 0.5 / 8.5);
+  EXPECT_DOUBLE_EQ(result.tangential_energy, 0.5 / 8.5);
+  EXPECT_DOUBLE_EQ(result.rotation_energy, 2.0 * (0.25 + 0.0625) / 8.5);
+  EXPECT_DOUBLE_EQ(result.energy_restitution, std::sqrt(1.625 / 8.5));
+  // 1.5 + 1 against −1.5, then 0.5 − 0.5 against −0.5 − 0.25.
+  EXPECT_DOUBLE_EQ(result.tangential_restitution, -0.75 / 4.0);
+}
+
+/// The second one four times as heavy.
+TEST(ImpactAnalysis, WeighsTheSecondDisk) {
+  const State light = square_with_velocity(0.0, -4.0, 0.0);
+  State heavy;
+  heavy.position.resize(16, 2);
+  heavy.velocity.resize(16, 2);
+  for (int k = 0; k < 16; ++k) {
+    heavy.position.row(k) << k % 4, k / 4;
+    heavy.velocity.row(k) << 0.0, 1.0;
+  }
+  ImpactAnalysis analysis;
+  analysis.add(light, heavy);
+  EXPECT_DOUBLE_EQ(analysis.restitution(false).energy_before, 0.5 * (16.0 + 4.0));
+}
+
+/// Falls from 0.75 above where it touches: 2² + 2·2·0.75 = 7. It is seen to rise at 1 when it is
+/// 0.25 above.
+TEST(ImpactAnalysis, TakesVelocitiesUnderGravityWhereTheDiskTouches) {
+  ImpactAnalysis analysis(2.0);
+  State start = square_with_velocity(0.0, -2.0, 0.0);
+  start.position.col(1) += 1.75;
+  State end = square_with_velocity(0.0, 1.0, 0.0);
+  end.position.col(1) += 1.25;
+  analysis.add(start);
+  analysis.add(end);
+  const Restitution result = analysis.restitution(true);
+  EXPECT_DOUBLE_EQ(result.velocity_before, -std::sqrt(7.0));
+  EXPECT_DOUBLE_EQ(result.velocity_after, std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(result.restitution, std::sqrt(2.0 / 7.0));
+  EXPECT_DOUBLE_EQ(result.energy_before, 3.5);
+}
+
 /// A disk that leaves swollen has the spin that it will have at its size before: L/I.
 TEST(ImpactAnalysis, MeasuresSpinByTheMomentOfInertiaBefore) {
   ImpactAnalysis analysis;

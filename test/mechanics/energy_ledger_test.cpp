@@ -39,7 +39,7 @@ TEST(EnergyLedger, CountsOnlyTheTermsThereAre) {
   EXPECT_EQ(bare.wall, 0.0);
   EXPECT_EQ(bare.load, 0.0);
   field.wall.emplace(10.0, 0.1);
-  field.load.emplace(0.3);
+  field.load.emplace(0.3, field.bonds.points());
   const EnergyLedger full = field.ledger(state, {});
   EXPECT_EQ(full.wall, field.wall->potential_energy(state.position));
   EXPECT_EQ(full.load, field.load->potential_energy(state.position));

@@ -14,7 +14,7 @@ TEST(ForceField, HasOnlyTheTermsItWasGiven) {
   EXPECT_EQ(field.terms(), Names{"bonds"});
   field.wall.emplace(300.0, 0.1);
   EXPECT_EQ(field.terms(), (Names{"bonds", "potential wall"}));
-  field.load.emplace(0.01);
+  field.load.emplace(0.01, field.bonds.points());
   field.hold.emplace(triangle().points);
   EXPECT_EQ(field.terms(), (Names{"bonds", "potential wall", "compression load", "rotation hold"}));
 }
@@ -40,7 +40,7 @@ TEST(ForceField, NamesTheTermsOfAnElasticWall) {
 TEST(ForceField, SumsItsTerms) {
   ForceField field{BondForces(triangle(), {1.0, 0.0, 0.0}), 1.0 / 3.0};
   field.wall.emplace(10.0, 0.1);
-  field.load.emplace(0.3);
+  field.load.emplace(0.3, field.bonds.points());
   PointArray force(3, 2);
   field.evaluate(triangle().points, PointArray::Zero(3, 2), force);
   // At rest in the reference configuration the bonds are silent.
@@ -54,7 +54,7 @@ TEST(ForceField, PotentialEnergyIsThatOfItsTerms) {
   const PointArray position = 1.1 * triangle().points;
   EXPECT_EQ(field.potential_energy(position), field.bonds.potential_energy(position));
   field.wall.emplace(10.0, 0.1);
-  field.load.emplace(0.3);
+  field.load.emplace(0.3, field.bonds.points());
   EXPECT_DOUBLE_EQ(field.potential_energy(position), field.bonds.potential_energy(position) +
                                                          field.wall->potential_energy(position) +
                                                          field.load->potential_energy(position));

@@ -317,7 +317,7 @@ TEST(LaneField, KnowsTheTermsOfAnImpactOnThePotentialWall) {
   EXPECT_TRUE(LaneField::knows(field));
   LaneField lanes(disk(), kPointMass, LaneField::kind_of(field));
   EXPECT_NO_THROW(lanes.set_lane(0, field));
-  field.load.emplace(1.0);
+  field.load.emplace(1.0, field.bonds.points());
   EXPECT_FALSE(LaneField::knows(field));
   EXPECT_THROW(lanes.set_lane(0, field), std::logic_error);
   field.load.reset();

@@ -55,12 +55,12 @@ inline std::vector<Message> messages_of(const Scene& scene, std::uint32_t number
   };
   messages.emplace_back(status(0, lattice_impact::RunStatus::RUNNING));
   std::uint32_t sequence = 0;
-  ImpactAnalysis analysis;
+  ImpactAnalysis analysis(scene.gravity);
   const auto send = [&] {
     const ContactReport report = run.take_contact_reports().on_first;
-    analysis.add(run.state());
+    run.show(analysis);
     analysis.add(report);
-    lattice_impact::ParticleStates states = to_message(run.state());
+    lattice_impact::ParticleStates states = to_message(run.disk_state());
     lattice_impact::ContactForces forces = to_message(report);
     states.run = forces.run = number;
     states.sequence = forces.sequence = sequence++;

@@ -98,7 +98,7 @@ TwoBodies on_potential_wall(double eta) {
   bodies.field.elastic_wall.reset();
   bodies.field.velocity_reset.reset();
   bodies.field.wall.emplace(10.0, 0.1);
-  bodies.field.load.emplace(0.01);
+  bodies.field.load.emplace(0.01, bodies.field.bonds.points());
   bodies.field.hold.emplace(bodies.lattice.points);
   bodies.field.supports.emplace(std::vector<std::int32_t>{3}, std::vector<std::int32_t>{});
   return bodies;

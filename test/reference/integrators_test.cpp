@@ -124,7 +124,7 @@ TYPED_TEST_SUITE(IntegratorOfFixedOrder, OfFixedOrder, );
 /// with order 1, does not.
 TYPED_TEST(IntegratorOfFixedOrder, IsExactUnderConstantAcceleration) {
   Patch patch(0.0);
-  patch.field.load.emplace(2.7);  // −0.3 on each point
+  patch.field.load.emplace(2.7, patch.field.bonds.points());  // −0.3 on each point
   patch.add_velocity(0.1, 0.4);
   patch.advance(make<TypeParam>(), 2.0, 20);
   const PointArray expected = shifted(patch.lattice.points, 0.2, 0.8 - 0.5 * 0.3 * 4.0);

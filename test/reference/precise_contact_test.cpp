@@ -41,7 +41,7 @@ TEST(PreciseStrain, AgreesWithTheEquilibriumSearch) {
   const PotentialWall wall(50.0, 1.0);
   ForceField field{BondForces(lattice, law), 0.05};
   field.wall = wall;
-  field.load.emplace(load);
+  field.load.emplace(load, field.bonds.points());
   field.hold.emplace(lattice.points);
   State start{0.0, 0, lattice.points, PointArray::Zero(20, 2)};
   start.position.col(1) += wall.gap_of_force(load);

@@ -43,7 +43,7 @@ TEST(ParseScene, HasTheKeysOfItsKind) {
   const std::string of_second_disk = "wall.radius wall.mirrored ";
   const std::string of_others = of_second_body + of_elastic_wall + of_second_disk;
   const std::string of_contact = "load.P load.hold_rotation ";
-  const std::string of_collision = "impact.velocity impact.angle impact.spin impact.gap ";
+  const std::string of_collision = "impact.velocity impact.angle impact.spin impact.gap gravity ";
   const std::string of_stretch = "stretch.width stretch.height stretch.strain ";
   const std::string of_motion =
       "disk.rim disk.file disk.scale disk.orientation material.eta wall.type wall.a wall.V0 ";
@@ -51,7 +51,7 @@ TEST(ParseScene, HasTheKeysOfItsKind) {
   EXPECT_EQ(missing_keys("{scene: collision, wall: {type: lattice}}"),
             of_second_disk + of_contact + of_stretch);
   EXPECT_EQ(missing_keys("{scene: collision, wall: {type: disk}}"),
-            of_elastic_wall + of_contact + of_stretch);
+            of_elastic_wall + of_contact + "gravity " + of_stretch);
   EXPECT_EQ(missing_keys("{scene: contact, material: {eta: 1}}"),
             of_others + of_collision + of_stretch);
   EXPECT_EQ(missing_keys("{scene: stretch}"),
@@ -226,7 +226,7 @@ TEST_P(SceneFiles, AreCompleteAndValid) {
 
 INSTANTIATE_TEST_SUITE_P(Launch, SceneFiles,
                          testing::Values("collision.yaml", "contact.yaml", "absorbing_wall.yaml",
-                                         "oblique.yaml", "stretch.yaml"));
+                                         "oblique.yaml", "disk_on_disk.yaml", "stretch.yaml"));
 
 /// The page's table is the one from which the keys are validated.
 TEST(Documents, HaveTheSceneKeys) {

@@ -254,19 +254,18 @@ TEST(SideBySide, DoesSoWithTwoDisks) {
 
 /// What is put into lanes by its scene is what lanes take by its forces.
 TEST(SideBySide, PutsIntoLanesWhatLanesKnow) {
-  const auto walls = {"type: potential",
-                      "type: lattice, points: 60, boundary: fixed",
-                      "type: lattice, points: 60, boundary: viscous",
-                      "type: lattice, points: 60, k_a: 0.5",
-                      "type: lattice, points: 60, eta: 1",
-                      "type: disk",
-                      "type: disk, radius: 0.5, k_a: 2"};
-  for (const char* const wall : walls) {
-    for (const Scene& scene :
-         scenes(fmt::format("{{scene: collision, disk: {{points: 20}}, material: {{eta: [0, 1]}}, "
-                            "wall: {{{}}}}}",
-                            wall))) {
-      EXPECT_EQ(can_be_in_lanes(scene), LaneField::knows(compose(scene).field)) << wall;
+  const auto scenes_with = {"wall: {type: potential}",
+                            "wall: {type: lattice, points: 60, boundary: fixed}",
+                            "wall: {type: lattice, points: 60, boundary: viscous}",
+                            "wall: {type: lattice, points: 60, k_a: 0.5}",
+                            "wall: {type: lattice, points: 60, eta: 1}",
+                            "wall: {type: disk}",
+                            "wall: {type: disk, radius: 0.5, k_a: 2}",
+                            "gravity: 1.0e-3"};
+  for (const char* const with : scenes_with) {
+    for (const Scene& scene : scenes(fmt::format(
+             "{{scene: collision, disk: {{points: 20}}, material: {{eta: [0, 1]}}, {}}}", with))) {
+      EXPECT_EQ(can_be_in_lanes(scene), LaneField::knows(compose(scene).field)) << with;
     }
   }
 }

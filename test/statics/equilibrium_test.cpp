@@ -23,7 +23,7 @@ TEST(FindEquilibrium, OfATriangleOnItsCorner) {
   const Lattice lattice = plain_lattice(points, {{0, 1}, {0, 2}, {1, 2}});
   ForceField field{BondForces(lattice, {1.0, 0.0, 0.0}), 1.0 / 3.0};
   field.wall.emplace(300.0, 0.1);
-  field.load.emplace(0.003);
+  field.load.emplace(0.003, field.bonds.points());
   field.hold.emplace(points);
   PointArray position = points;
   position.col(1) += field.wall->gap_of_force(0.003);
@@ -87,7 +87,7 @@ TEST(FindEquilibrium, KeepsTheHeldRotationAndTheCentre) {
   const Lattice lattice = triangular_patch(4);
   ForceField field{BondForces(lattice, {1.0, 0.0, 0.0}), 1.0 / 16.0};
   field.wall.emplace(100.0, 0.1);
-  field.load.emplace(0.01);
+  field.load.emplace(0.01, field.bonds.points());
   field.hold.emplace(lattice.points);
   PointArray position = lattice.points;
   position.col(1) += field.wall->gap_of_force(0.01);
@@ -106,7 +106,7 @@ TEST(FindEquilibrium, GoesOnWhereItWasStopped) {
   ForceField field{BondForces(plain_lattice(points, {{0, 1}, {0, 2}, {1, 2}}), {1.0, 0.0, 0.0}),
                    1.0 / 3.0};
   field.wall.emplace(30.0, 0.1);
-  field.load.emplace(0.003);
+  field.load.emplace(0.003, field.bonds.points());
   PointArray position = points;
   position.col(0) += 0.01 * points.col(1);
   position.col(1) += field.wall->gap_of_force(0.003) - 0.01 * points.col(0);
@@ -126,7 +126,7 @@ TEST(FindEquilibrium, GoesOnWhereItWasStopped) {
 /// A load that no wall holds: no equilibrium, and it is said.
 TEST(FindEquilibrium, SaysWhenThereIsNone) {
   ForceField field{BondForces(triangle(), {1.0, 0.0, 0.0}), 1.0 / 3.0};
-  field.load.emplace(0.01);
+  field.load.emplace(0.01, field.bonds.points());
   EXPECT_FALSE(solved(field, triangle().points, 1e-14).found());
 }
 
