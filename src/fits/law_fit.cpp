@@ -1,7 +1,5 @@
 #include "fits/law_fit.hpp"
 
-#include <gsl/gsl_statistics_double.h>
-
 #include <cmath>
 
 #include "theory/quasi_static.hpp"
@@ -33,13 +31,6 @@ double quasi_static_theory(double young_modulus, double dissipation_time, double
 }
 
 }  // namespace
-
-MeanPoint mean_point(double x, const std::vector<double>& values) {
-  const double mean = gsl_stats_mean(values.data(), 1, values.size());
-  if (values.size() == 1) return {x, mean, LawFit::kNaN, 1};
-  const double scatter = gsl_stats_sd_m(values.data(), 1, values.size(), mean);
-  return {x, mean, scatter / std::sqrt(static_cast<double>(values.size())), values.size()};
-}
 
 LawFit hertz_law_fit(const std::vector<MeanPoint>& points, const ElasticDisk& disk) {
   LawFit law;

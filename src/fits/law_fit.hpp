@@ -1,26 +1,15 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "fits/fits.hpp"
+#include "fits/statistics.hpp"
 #include "theory/hertz.hpp"
 
 namespace impact {
-
-/// The values measured at one abscissa, averaged.
-struct MeanPoint {
-  double x = 0.0;
-  double y = 0.0;
-  double standard_error = 0.0;  ///< of y, from the scatter of the values; NaN for one value
-  std::size_t runs = 0;
-};
-
-/// @param values not empty
-MeanPoint mean_point(double x, const std::vector<double>& values);
 
 /// A law of the paper against measured points: theory without free parameters, and the fit. What is
 /// not known is NaN.

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "nodes/law_fit_yaml.hpp"
-#include "output/restitution_yaml.hpp"
 #include "output/result_text.hpp"
 #include "output/text_table.hpp"
 #include "scene/keys.hpp"
@@ -49,6 +48,20 @@ YAML::Node counts(std::uint64_t published, std::uint64_t recorded) {
   node["recorded"] = recorded;
   node.SetStyle(YAML::EmitterStyle::Flow);
   return node;
+}
+
+std::uint32_t run_of(const Result& result) {
+  return static_cast<std::uint32_t>(result.number("run"));
+}
+
+/// Adds what an impact did; `suffix` follows the key of each number. `slides`: whether those are
+/// wanted that say something only of a disk which slides along the wall.
+template <class Numbers>
+void add_impact(const Numbers& numbers, const std::string& suffix, bool slides, Result& result) {
+  for (const auto& [key, member] : impact_numbers<Numbers>()) {
+    if (is_of_sliding(key) && !slides) continue;
+    result.entries.emplace_back(key + suffix, numbers.*member);
+  }
 }
 
 std::string name_space_of(const std::string& topic) {
@@ -214,7 +227,7 @@ bool BagPipeline::is_of_wall(const std::string& topic) const {
 YAML::Node BagPipeline::document() const {
   YAML::Node node;
   node["topics"] = topics();
-  for (const YAML::Node& result : results_) node["runs"].push_back(result);
+  for (const Result& result : results_) node["runs"].push_back(to_yaml(result));
   for (const auto& law : law_fits_) {
     if (law.second.x.size() > 1) node["law_fits"].push_back(to_yaml(law.second));
   }
@@ -247,66 +260,62 @@ std::string BagPipeline::text() const {
 }
 
 /// What is wrong with the scene of a damaged bag was reported.
-Scene BagPipeline::scene_of(const YAML::Node& result) const {
-  const auto status = statuses_.find(result["run"].as<std::uint32_t>());
+Scene BagPipeline::scene_of(const Result& result) const {
+  const auto status = statuses_.find(run_of(result));
   try {
     if (status != statuses_.end()) return parse_scene(parse_keys(status->second.scene, "scene"));
   } catch (const InputError&) {
   }
   Scene scene;
-  scene.kind = result["strain"] ? SceneKind::kContact : SceneKind::kCollision;
+  scene.kind = result.has("strain") ? SceneKind::kContact : SceneKind::kCollision;
   return scene;
 }
 
 /// With what the status of the run adds.
-YAML::Node BagPipeline::completed(const YAML::Node& result) const {
-  YAML::Node completed = YAML::Clone(result);
-  const auto status = statuses_.find(result["run"].as<std::uint32_t>());
-  if (status == statuses_.end()) return completed;
-  completed["estimated_error"] = exact(status->second.estimated_error);
-  if (!result["flags"]) completed["flags"] = flag_list(status->second.flags);
-  return completed;
+Result BagPipeline::completed(Result result) const {
+  const auto status = statuses_.find(run_of(result));
+  if (status == statuses_.end()) return result;
+  result.entries.emplace_back("estimated_error", status->second.estimated_error);
+  if (!result.has("flags")) result.entries.emplace_back("flags", status->second.flags);
+  return result;
 }
 
-std::string BagPipeline::block(const YAML::Node& result) const {
+std::string BagPipeline::block(const Result& result) const {
   const Scene scene = scene_of(result);
   return title(scene) + "\n" + result_block(completed(result), scene);
 }
 
 std::string BagPipeline::table_of_runs() const {
   std::string text = fmt::format("{} runs\n", results_.size());
-  std::vector<YAML::Node> results;
-  for (const YAML::Node& result : results_) results.push_back(completed(result));
+  std::vector<Result> results;
+  for (const Result& result : results_) results.push_back(completed(result));
   return text + result_table(results, scene_of(results_.front()).kind);
 }
 
 void BagPipeline::add_result(const lattice_impact::Strain& strain) {
   ++computed_results_["strain"];
   if (strain.at_rest == 0) return;
-  YAML::Node node;
-  node["run"] = strain.run;
-  node["strain"] = exact(strain.strain);
-  node["strain_from_radius"] = exact(strain.strain_from_radius);
-  node["rotation"] = exact(strain.rotation);
-  node["wall_force"] = exact(strain.force);
-  results_.push_back(node);
+  results_.push_back({{{"run", static_cast<double>(strain.run)},
+                       {"strain", strain.strain},
+                       {"strain_from_radius", strain.strain_from_radius},
+                       {"rotation", strain.rotation},
+                       {"wall_force", strain.force}}});
 }
 
 void BagPipeline::add_result(const lattice_impact::Restitution& restitution) {
   ++computed_results_["restitution"];
   if (restitution.ended == 0) return;
-  YAML::Node node;
-  node["run"] = restitution.run;
-  node["complete"] = restitution.complete != 0;
-  node["velocity"] =
-      exact(std::hypot(restitution.velocity_before, restitution.tangential_velocity_before));
+  Result result{{{"run", static_cast<double>(restitution.run)},
+                 {"complete", restitution.complete != 0},
+                 {"velocity", std::hypot(restitution.velocity_before,
+                                         restitution.tangential_velocity_before)}}};
   const bool slides = !std::isnan(restitution.tangential_restitution);
-  add_impact(restitution, "", slides, node);
-  add_impact(restitution.error, "_error", slides, node);
-  node["restitution_of_run"] = exact(restitution.restitution_of_run);
-  node["restitution_of_run_error"] = exact(restitution.restitution_of_run_error);
-  node["flags"] = flag_list(restitution.flags);
-  results_.push_back(node);
+  add_impact(restitution, "", slides, result);
+  add_impact(restitution.error, "_error", slides, result);
+  result.entries.emplace_back("restitution_of_run", restitution.restitution_of_run);
+  result.entries.emplace_back("restitution_of_run_error", restitution.restitution_of_run_error);
+  result.entries.emplace_back("flags", restitution.flags);
+  results_.push_back(std::move(result));
 }
 
 void BagPipeline::add_result(const lattice_impact::LawFit& law) {

@@ -5,7 +5,6 @@
 #include <lattice_impact/RunStatus.h>
 #include <lattice_impact/Strain.h>
 #include <rosbag/message_instance.h>
-#include <yaml-cpp/yaml.h>
 
 #include <cstdint>
 #include <functional>
@@ -16,6 +15,7 @@
 #include "nodes/inventory.hpp"
 #include "nodes/series_analysis.hpp"
 #include "nodes/series_fits.hpp"
+#include "output/result.hpp"
 #include "scene/disk_elasticity.hpp"
 
 namespace impact {
@@ -70,10 +70,10 @@ class BagPipeline {
   void add_result(const lattice_impact::Restitution& restitution);
   void add_result(const lattice_impact::LawFit& law);
 
-  Scene scene_of(const YAML::Node& result) const;
-  YAML::Node completed(const YAML::Node& result) const;
+  Scene scene_of(const Result& result) const;
+  Result completed(Result result) const;
   YAML::Node topics() const;
-  std::string block(const YAML::Node& result) const;
+  std::string block(const Result& result) const;
   std::string table_of_runs() const;
 
   SeriesFits fits_;
@@ -86,7 +86,7 @@ class BagPipeline {
   std::map<std::string, std::uint64_t> recorded_results_;
   std::map<std::string, std::uint64_t> computed_results_;
   std::map<std::uint32_t, lattice_impact::RunStatus> statuses_;  ///< the last of each run
-  std::vector<YAML::Node> results_;
+  std::vector<Result> results_;
   std::map<std::string, lattice_impact::LawFit> law_fits_;  ///< by the keys that the runs share
   bool complete_ = true;
 };

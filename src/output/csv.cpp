@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <boost/tokenizer.hpp>
+#include <cmath>
 
 namespace impact {
 
@@ -16,6 +17,10 @@ std::string csv_cell(const std::string& text) {
     quoted += letter == '\n' ? "\\n" : std::string(1, letter);
   }
   return quoted + "\"";
+}
+
+std::string csv_number(double value) {
+  return std::isnan(value) ? "nan" : fmt::format("{}", value);
 }
 
 std::string csv_line(const std::vector<std::string>& texts) {

@@ -9,6 +9,9 @@ namespace impact {
 /// break, those behind a backslash and a line break as \\n.
 std::string csv_cell(const std::string& text);
 
+/// A number as a cell, with all its digits.
+std::string csv_number(double value);
+
 /// The cells in a line, without its end.
 std::string csv_line(const std::vector<std::string>& texts);
 

@@ -55,16 +55,11 @@ const std::vector<Entry>& found(SceneKind kind) {
   return entries.at(kind);
 }
 
-double number(const YAML::Node& result, const std::string& key) {
-  const YAML::Node value = result[key];
-  return value ? scalar<double>(value).value_or(std::nan("")) : std::nan("");
-}
-
 /// NaN: not known.
-double error_of(const YAML::Node& result, const std::string& key) {
-  const double error = number(result, key + "_error");
+double error_of(const Result& result, const std::string& key) {
+  const double error = result.number(key + "_error");
   if (!std::isnan(error) || key != "strain") return error;
-  return number(result, "estimated_error") * std::abs(number(result, key));
+  return result.number("estimated_error") * std::abs(result.number(key));
 }
 
 std::string padded(const std::string& text, std::size_t width) {
@@ -106,8 +101,8 @@ std::string in_si(double value, const char* unit, const std::optional<SiUnits>& 
   return measure ? fmt::format("= {:.4g} {}", measure->value, measure->unit) : "";
 }
 
-Line line_of(const Entry& entry, const YAML::Node& result, const std::optional<SiUnits>& si) {
-  const double value = number(result, entry.key);
+Line line_of(const Entry& entry, const Result& result, const std::optional<SiUnits>& si) {
+  const double value = result.number(entry.key);
   const double error = error_of(result, entry.key);
   return {entry.label, digits(value, error),
           error > 0.0 ? fmt::format("± {:.2g}", error) : std::string(), entry.unit,
@@ -118,11 +113,9 @@ std::string heading(const Entry& entry) {
   return *entry.unit == '\0' ? entry.label : fmt::format("{} [{}]", entry.label, entry.unit);
 }
 
-std::string flags_of(const YAML::Node& result) {
+std::string flags_of(const Result& result) {
   std::string text;
-  for (const YAML::Node& flag : result["flags"]) {
-    text += (text.empty() ? "" : ",") + flag.Scalar();
-  }
+  for (const std::string& flag : result.flags()) text += (text.empty() ? "" : ",") + flag;
   return text.empty() ? "-" : text;
 }
 
@@ -201,31 +194,31 @@ std::string title(const Scene& scene) {
                      scene.wall.kind == WallKind::kLattice ? " with an elastic wall" : "", disk);
 }
 
-std::string result_block(const YAML::Node& result, const Scene& scene,
+std::string result_block(const Result& result, const Scene& scene,
                          const std::optional<SiUnits>& si) {
   std::vector<Line> lines;
   if (si) {
     for (const Entry& entry : given(scene.kind)) lines.push_back(line_of(entry, result, si));
   }
   for (const Entry& entry : found(scene.kind)) {
-    if (result[entry.key] && !is_nothing(entry, number(result, entry.key)))
+    if (result.has(entry.key) && !is_nothing(entry, result.number(entry.key)))
       lines.push_back(line_of(entry, result, si));
   }
   std::string text = aligned_left(lines);
   std::vector<Line> flags;
-  for (const YAML::Node& flag : result["flags"]) {
-    const FlagText* const text = text_of_flag(flag.Scalar());
-    flags.push_back({"flag", flag.Scalar() + ":", text == nullptr ? "" : text->meaning});
+  for (const std::string& flag : result.flags()) {
+    const FlagText* const text = text_of_flag(flag);
+    flags.push_back({"flag", flag + ":", text == nullptr ? "" : text->meaning});
   }
   return text + aligned_left(flags);
 }
 
-std::string result_table(const std::vector<YAML::Node>& results, SceneKind kind) {
+std::string result_table(const std::vector<Result>& results, SceneKind kind) {
   constexpr std::size_t kMost = 5;
   std::vector<const Entry*> entries;
   for (const auto* const list : {&given(kind), &found(kind)}) {
     for (const Entry& entry : *list) {
-      if (entries.size() < kMost && results.front()[entry.key]) entries.push_back(&entry);
+      if (entries.size() < kMost && results.front().has(entry.key)) entries.push_back(&entry);
     }
   }
   const Entry* const answer = &found(kind).front();
@@ -235,10 +228,10 @@ std::string result_table(const std::vector<YAML::Node>& results, SceneKind kind)
     if (entry == answer) table[0].push_back("±");
   }
   table[0].push_back("flags");
-  for (const YAML::Node& result : results) {
-    table.push_back({one_line(result["run"])});
+  for (const Result& result : results) {
+    table.push_back({fmt::format("{}", result.number("run"))});
     for (const Entry* const entry : entries) {
-      const double value = number(result, entry->key);
+      const double value = result.number(entry->key);
       const double error = error_of(result, entry->key);
       table.back().push_back(std::isfinite(value) ? digits(value, error) : "-");
       if (entry == answer) table.back().push_back(error > 0.0 ? fmt::format("{:.2g}", error) : "-");
@@ -248,13 +241,13 @@ std::string result_table(const std::vector<YAML::Node>& results, SceneKind kind)
   return aligned(table);
 }
 
-YAML::Node si_values(const YAML::Node& result, const Scene& scene, const SiUnits& si) {
+YAML::Node si_values(const Result& result, const Scene& scene, const SiUnits& si) {
   YAML::Node values;
   YAML::Node units;
   for (const auto* const entries : {&given(scene.kind), &found(scene.kind)}) {
     for (const Entry& entry : *entries) {
-      const auto measure = si.in_si(number(result, entry.key), entry.unit);
-      if (!result[entry.key] || !measure) continue;
+      const auto measure = si.in_si(result.number(entry.key), entry.unit);
+      if (!result.has(entry.key) || !measure) continue;
       values[entry.key] = exact(measure->value);
       units[entry.key] = measure->unit;
     }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <fstream>
 #include <stdexcept>
 
@@ -13,9 +12,7 @@ namespace impact {
 Table::Table(const std::vector<std::string>& columns)
     : columns_(columns.size()), text_(csv_line(columns) + "\n") {}
 
-Table& Table::operator<<(double value) {
-  return *this << (std::isnan(value) ? std::string("nan") : fmt::format("{}", value));
-}
+Table& Table::operator<<(double value) { return *this << csv_number(value); }
 
 Table& Table::operator<<(const std::string& text) {
   ++cells_;

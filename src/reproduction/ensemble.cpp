@@ -1,7 +1,6 @@
 #include "reproduction/ensemble.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
@@ -31,15 +30,6 @@ Ensemble without(const Ensemble& ensemble, std::size_t lattice) {
   Ensemble others = ensemble;
   others.y.erase(others.y.begin() + static_cast<std::ptrdiff_t>(lattice));
   return others;
-}
-
-double jackknife_error(const std::vector<double>& estimates) {
-  const auto n = static_cast<double>(estimates.size());
-  double mean = 0.0;
-  for (const double estimate : estimates) mean += estimate / n;
-  double squares = 0.0;
-  for (const double estimate : estimates) squares += std::pow(estimate - mean, 2);
-  return std::sqrt((n - 1.0) / n * squares);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ Fit fit_mean(const Ensemble& ensemble,
              const std::function<Fit(const std::vector<DataPoint>&)>& fit);
 
 /// fit_mean(); the sampling errors are the jackknife's (B. Efron and C. Stein, Ann. Stat.
-/// 9 (1981) 586): √((n − 1)/n Σ (θ_i − θ̄)²) with θ_i the fit without lattice i; NaN when one of
+/// 9 (1981) 586), see jackknife_error(), with θ_i the fit without lattice i; NaN when one of
 /// those is declined or there are fewer than two lattices.
 EnsembleFit fit_ensemble(const Ensemble& ensemble,
                          const std::function<Fit(const std::vector<DataPoint>&)>& fit);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "output/restitution_yaml.hpp"
 #include "scene/scene_parameters.hpp"
 
 namespace impact {
@@ -14,7 +13,7 @@ namespace {
 /// A quantity that is a real number.
 template <class Number>
 Quantity number(std::string key, Number value) {
-  return {std::move(key), [value](const Experiment& e) { return exact(value(e)); }};
+  return {std::move(key), [value](const Experiment& e) { return value(e); }};
 }
 
 /// A term of the energy ledger at the end.
@@ -92,12 +91,12 @@ std::vector<Quantity> run_quantities() {
   std::vector<Quantity> list;
   list.push_back(number("energy_error", [](const auto& e) { return e.run().energy_error(); }));
   list.push_back(number("estimated_error", [](const auto& e) { return e.estimated_error(); }));
-  list.push_back(
-      {"integrator", [](const auto& e) { return YAML::Node(name_of(e.run().integrator())); }});
+  list.push_back({"integrator", [](const auto& e) { return name_of(e.run().integrator()); }});
   list.push_back(number("step", [](const auto& e) { return e.run().system().step_size(); }));
-  list.push_back({"steps", [](const auto& e) { return YAML::Node(e.run().state().step); }});
+  list.push_back(
+      number("steps", [](const auto& e) { return static_cast<double>(e.run().state().step); }));
   list.push_back(number("wall_time", [](const auto& e) { return e.wall_time(); }));
-  list.push_back({"flags", [](const auto& e) { return flag_list(e.run().flags()); }});
+  list.push_back({"flags", [](const auto& e) { return e.run().flags(); }});
   return list;
 }
 
@@ -204,10 +203,10 @@ double Experiment::wall_time() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
-YAML::Node Experiment::result() const {
-  YAML::Node result;
+Result Experiment::result() const {
+  Result result;
   for (const Quantity& quantity : quantities(scene_)) {
-    result[quantity.key] = quantity.value(*this);
+    result.entries.emplace_back(quantity.key, quantity.value(*this));
   }
   return result;
 }

@@ -10,9 +10,9 @@
 #include "measure/elastic_constants.hpp"
 #include "measure/impact_answer.hpp"
 #include "measure/strain.hpp"
+#include "output/result.hpp"
 #include "run/error_control.hpp"
 #include "run/run.hpp"
-#include "scene/parameter_table.hpp"
 #include "series/history.hpp"
 
 namespace impact {
@@ -50,7 +50,7 @@ class Experiment {
   std::vector<Resolution> later_resolutions() const { return control_.later_resolutions(); }
 
   /// The values of quantities(), in their order.
-  YAML::Node result() const;
+  Result result() const;
 
   const Scene& scene() const { return scene_; }
   /// The present run, at the end the finest one.
@@ -105,7 +105,7 @@ class Experiment {
 /// One entry of a result.
 struct Quantity {
   std::string key;
-  std::function<YAML::Node(const Experiment&)> value;
+  std::function<Result::Value(const Experiment&)> value;
 };
 
 /// Everything that the result of such a scene holds, in the order in which it is shown.

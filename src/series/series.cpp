@@ -42,7 +42,7 @@ std::optional<SeriesOutcome> simulate(const Scene& scene, SharedBodies bodies,
       if (stop()) return std::nullopt;
       experiment.advance(stop);
     }
-    outcome.results.push_back(texts_of(experiment));
+    outcome.results.push_back(experiment.result());
   } catch (const RunFailure& error) {
     outcome.results.push_back(failure(error.what()));
   }
@@ -163,7 +163,7 @@ class InOrder {
  public:
   explicit InOrder(SeriesFile& file) : file_(file) {}
 
-  void take(const Task& task, std::vector<ResultTexts> results) {
+  void take(const Task& task, std::vector<Result> results) {
     for (std::size_t i = 0; i < results.size(); ++i) {
       if (task.rows[i] >= file_.rows().size()) waiting_[task.rows[i]] = std::move(results[i]);
     }
@@ -175,7 +175,7 @@ class InOrder {
 
  private:
   SeriesFile& file_;
-  std::map<std::size_t, ResultTexts> waiting_;
+  std::map<std::size_t, Result> waiting_;
 };
 
 std::vector<Scene> scenes_of(const Task& task, const SeriesFile& file) {

@@ -1,6 +1,6 @@
 #include "series/series_file.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <boost/tokenizer.hpp>
@@ -23,6 +23,19 @@ double number(const std::string& text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool whole_text = error == std::errc() && end == text.data() + text.size();
   return whole_text ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+struct CellText {
+  std::string operator()(double number) const { return csv_number(number); }
+  std::string operator()(bool truth) const { return fmt::format("{}", truth); }
+  std::string operator()(const std::string& word) const { return word; }
+  std::string operator()(const std::vector<std::string>& words) const {
+    return fmt::format("{}", fmt::join(words, ";"));
+  }
+};
+
+std::string value_text(const Result::Value* value) {
+  return value == nullptr ? "" : std::visit(CellText{}, *value);
 }
 
 std::vector<std::string> scene_keys(const std::vector<Scene>& scenes) {
@@ -72,7 +85,9 @@ std::vector<std::string> scene_texts(const Scene& scene, const std::vector<std::
 
 bool has_failed(const Row& row) { return begins_with(row.flags, kFailed); }
 
-ResultTexts failure(const std::string& reason) { return {{"flags", kFailed + reason}}; }
+Result failure(const std::string& reason) {
+  return {{{"flags", std::vector<std::string>{kFailed + reason}}}};
+}
 
 SeriesFile::SeriesFile(std::filesystem::path path, std::vector<Scene> scenes)
     : path_(std::move(path)),
@@ -159,14 +174,16 @@ void SeriesFile::open() {
   if (complete_bytes_ == 0) write(csv_line(columns()));
 }
 
-void SeriesFile::append(const ResultTexts& results) {
-  std::vector<std::string> cells = scene_texts(scenes_[rows_.size()], scene_keys_);
+void SeriesFile::append(const Result& result) {
+  const Scene& scene = scenes_[rows_.size()];
+  std::vector<std::string> cells = scene_texts(scene, scene_keys_);
+  Row row{scene, {}, value_text(result.find("flags")), value_text(result.find("integrator"))};
   for (const std::string& key : result_keys_) {
-    const auto found = results.find(key);
-    cells.push_back(found == results.end() ? "" : found->second);
+    cells.push_back(value_text(result.find(key)));
+    row.results[key] = result.number(key);
   }
   write(csv_line(cells));
-  add_row(cells);
+  rows_.push_back(std::move(row));
 }
 
 void SeriesFile::write(const std::string& line) {

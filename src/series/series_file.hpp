@@ -9,6 +9,7 @@
 
 #include "lattice/input_error.hpp"
 #include "output/output_lock.hpp"
+#include "output/result.hpp"
 #include "scene/scene.hpp"
 
 namespace impact {
@@ -24,11 +25,8 @@ struct Row {
 /// True for a run that could not go on.
 bool has_failed(const Row& row);
 
-/// Results as text, by the keys of quantities(); keys may be absent.
-using ResultTexts = std::map<std::string, std::string>;
-
-/// The results of a run that could not go on.
-ResultTexts failure(const std::string& reason);
+/// The result of a run that could not go on.
+Result failure(const std::string& reason);
 
 /// A CSV file with a row for each scene of a series, in their order: every scene key that one of
 /// the scenes has, then every result key. What a scene does not have is left empty. A text with a
@@ -49,8 +47,9 @@ class SeriesFile {
   void open();
 
   /// Writes the row of the next scene into the open file.
+  /// @param result by the keys of quantities(); keys may be absent
   /// @throw std::runtime_error when it cannot be written.
-  void append(const ResultTexts& results);
+  void append(const Result& result);
 
  private:
   std::vector<std::string> columns() const;

@@ -1,7 +1,5 @@
 #include "series/side_by_side.hpp"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -352,7 +350,7 @@ class SideBySide {
   void conclude(Candidate& candidate) {
     if (candidate.failure.empty()) {
       candidate.experiment->set_wall_time(candidate.wall_time);
-      outcome_.results[candidate.place] = texts_of(*candidate.experiment);
+      outcome_.results[candidate.place] = candidate.experiment->result();
     } else {
       outcome_.results[candidate.place] = failure(candidate.failure);
     }
@@ -381,18 +379,7 @@ class SideBySide {
   SeriesOutcome outcome_;
 };
 
-std::string text(const YAML::Node& value) {
-  if (value.IsScalar()) return cell_text(value);
-  return fmt::format("{}", fmt::join(value.as<std::vector<std::string>>(), ";"));
-}
-
 }  // namespace
-
-ResultTexts texts_of(const Experiment& experiment) {
-  ResultTexts texts;
-  for (const auto& entry : experiment.result()) texts[entry.first.Scalar()] = text(entry.second);
-  return texts;
-}
 
 bool can_be_in_lanes(const Scene& scene) {
   if (scene.is_static()) return true;

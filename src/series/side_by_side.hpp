@@ -16,7 +16,7 @@ namespace impact {
 /// What became of scenes.
 struct SeriesOutcome {
   /// In the order of the scenes. A run that cannot go on has its reason in its flags.
-  std::vector<ResultTexts> results{};
+  std::vector<Result> results{};
   /// The InputError of the first scene that cannot be composed; it and those after it have no
   /// result.
   std::exception_ptr error{};
@@ -40,8 +40,5 @@ std::optional<SeriesOutcome> simulate_side_by_side(const std::vector<Scene>& sce
                                                    std::shared_ptr<const Bodies> bodies,
                                                    const std::function<bool()>& stop,
                                                    const std::function<void()>& done);
-
-/// The result of a finished experiment as text.
-ResultTexts texts_of(const Experiment& experiment);
 
 }  // namespace impact

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "fits/statistics.hpp"
 #include "output/interruption.hpp"
 #include "output/output_lock.hpp"
 #include "output/program.hpp"

@@ -154,7 +154,7 @@ std::string account(const Experiment& experiment) {
                      run.system().step_size(), runs, time);
 }
 
-std::string text_of(const Experiment& experiment, const YAML::Node& result,
+std::string text_of(const Experiment& experiment, const Result& result,
                     const std::optional<SiUnits>& si) {
   const Scene& scene = experiment.scene();
   return fmt::format("{}\n{}{}{}", title(scene), result_block(result, scene, si),
@@ -177,18 +177,18 @@ void perform(const FlatTree& keys, const Options& options) {
   tell_if_long(experiment);
   perform(experiment);
 
-  YAML::Node result = experiment.result();
-  if (si) result["si"] = si_values(result, scene, *si);
-  const std::string yaml = YAML::Dump(result) + "\n";
+  const Result result = experiment.result();
+  YAML::Node document = to_yaml(result);
+  if (si) document["si"] = si_values(result, scene, *si);
   if (is_text(options.format)) {
     fmt::print("{}", text_of(experiment, result, si));
     if (output) fmt::print("  files in {}\n", options.folder);
   } else {
-    print_document(result, options.format);
+    print_document(document, options.format);
   }
   if (!output) return;
   history->close();
-  write_result(experiment, yaml, *history, output->files);
+  write_result(experiment, YAML::Dump(document) + "\n", *history, output->files);
 }
 
 void list_keys(const FlatTree& keys) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "output/program.hpp"
@@ -79,10 +80,10 @@ Task parse(const std::vector<std::string>& assignments) {
 }
 
 /// The keys of a scene that a quantity in SI becomes.
-YAML::Node scene_keys(const Wanted& wanted, const SiUnits& si) {
-  YAML::Node keys(YAML::NodeType::Map);
+std::vector<std::pair<const char*, double>> scene_keys(const Wanted& wanted, const SiUnits& si) {
+  std::vector<std::pair<const char*, double>> keys;
   const auto add = [&](const char* key, double value, const char* unit, double factor = 1.0) {
-    if (!std::isnan(value)) keys[key] = exact(factor * value / si.in_si(1.0, unit)->value);
+    if (!std::isnan(value)) keys.emplace_back(key, factor * value / si.in_si(1.0, unit)->value);
   };
   add("impact.velocity", wanted.velocity, "c");
   add("load.P", wanted.load, "M c²/R");
@@ -118,7 +119,8 @@ YAML::Node tree(const Task& task, const SiUnits& si) {
   node["units"] = units;
   node["young_modulus"] = exact(lattice.young_modulus.value);
   node["poisson_ratio"] = exact(lattice.poisson_ratio.value);
-  node["scene"] = scene_keys(task.wanted, si);
+  node["scene"] = YAML::Node(YAML::NodeType::Map);
+  for (const auto& [key, value] : scene_keys(task.wanted, si)) node["scene"][key] = exact(value);
   return node;
 }
 
@@ -129,8 +131,8 @@ std::string text(const Task& task, const SiUnits& si) {
     text += fmt::format("  {:<9}  {:<7}  = {:.5g} {}\n", row.key, row.unit, measure.value,
                         measure.unit);
   }
-  for (const auto& key : scene_keys(task.wanted, si)) {
-    text += fmt::format("  {}={:.6g}\n", key.first.Scalar(), key.second.as<double>());
+  for (const auto& [key, value] : scene_keys(task.wanted, si)) {
+    text += fmt::format("  {}={:.6g}\n", key, value);
   }
   return text;
 }
@@ -149,13 +151,14 @@ void show_units(const Task& task, Format format) {
 void show_result(const Task& task, const std::filesystem::path& folder, Format format) {
   const Scene scene = parse_scene(load_keys(folder / "scene.yaml"));
   const SiUnits si(task.disk, scene);
-  YAML::Node result;
+  YAML::Node file;
   try {
-    result = YAML::LoadFile(folder / "result.yaml");
+    file = YAML::LoadFile(folder / "result.yaml");
   } catch (const YAML::Exception& error) {
     throw InputError(fmt::format("{}: {}", (folder / "result.yaml").string(), error.msg));
   }
-  if (!result.IsMap()) throw InputError((folder / "result.yaml").string() + ": no result");
+  if (!file.IsMap()) throw InputError((folder / "result.yaml").string() + ": no result");
+  const Result result = read_result(file);
   if (is_text(format)) {
     fmt::print("{}\n{}  SI for {}\n", title(scene), result_block(result, scene, si), si.origin());
   } else {

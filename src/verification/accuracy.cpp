@@ -1,7 +1,5 @@
 #include "verification/accuracy.hpp"
 
-#include <gsl/gsl_statistics_double.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -148,11 +146,6 @@ std::map<std::string, int> count_refusals(const std::vector<AccuracyCheck>& chec
     if (!check.answered()) ++counts[cause_of(check.trial.status)];
   }
   return counts;
-}
-
-double quantile(const std::vector<double>& rising, double q) {
-  return rising.empty() ? kNaN
-                        : gsl_stats_quantile_from_sorted_data(rising.data(), 1, rising.size(), q);
 }
 
 }  // namespace impact

@@ -69,7 +69,4 @@ std::map<Verdict, int> count_verdicts(const std::vector<AccuracyCheck>& checks);
 /// How often there was no answer, by cause: the status with # for each number.
 std::map<std::string, int> count_refusals(const std::vector<AccuracyCheck>& checks);
 
-/// Of rising values, that below which the part q of them lies; NaN of none.
-double quantile(const std::vector<double>& rising, double q);
-
 }  // namespace impact

@@ -6,7 +6,6 @@
 #include "fits/law_fit.hpp"
 #include "output/progress_bar.hpp"
 #include "output/table.hpp"
-#include "verification/pareto.hpp"
 #include "verification/work_precision.hpp"
 
 namespace impact {

@@ -9,10 +9,10 @@
 #include <numeric>
 #include <utility>
 
+#include "fits/statistics.hpp"
 #include "output/interruption.hpp"
 #include "scene/scene_parameters.hpp"
 #include "series/experiment.hpp"
-#include "verification/pareto.hpp"
 
 namespace impact {
 namespace {

@@ -40,10 +40,4 @@ std::optional<std::size_t> coarsest_sufficient(const std::vector<double>& errors
   return first < errors.size() ? std::optional(first) : std::nullopt;
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
 }  // namespace impact

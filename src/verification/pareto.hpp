@@ -23,7 +23,4 @@ std::optional<std::size_t> least_work(const std::vector<WorkAndError>& points, d
 /// above `error`. A coarser one that is good by chance does not count.
 std::optional<std::size_t> coarsest_sufficient(const std::vector<double>& errors, double error);
 
-/// @param values not empty; of an even number the mean of the middle two
-double median(std::vector<double> values);
-
 }  // namespace impact

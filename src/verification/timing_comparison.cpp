@@ -9,10 +9,10 @@
 #include <thread>
 #include <utility>
 
+#include "fits/statistics.hpp"
 #include "output/progress_bar.hpp"
 #include "output/table.hpp"
 #include "scene/scene_parameters.hpp"
-#include "verification/pareto.hpp"
 #include "verification/work_precision.hpp"
 
 namespace impact {

@@ -10,20 +10,6 @@
 namespace impact {
 namespace {
 
-TEST(MeanPoint, ByHand) {
-  const MeanPoint point = mean_point(0.5, {1.0, 2.0, 6.0});
-  EXPECT_EQ(point.x, 0.5);
-  EXPECT_EQ(point.runs, 3U);
-  EXPECT_DOUBLE_EQ(point.y, 3.0);
-  EXPECT_DOUBLE_EQ(point.standard_error, std::sqrt((4.0 + 1.0 + 9.0) / 2.0 / 3.0));
-}
-
-TEST(MeanPoint, OfOneValueHasNoStandardError) {
-  const MeanPoint point = mean_point(0.5, {0.9});
-  EXPECT_EQ(point.y, 0.9);
-  EXPECT_TRUE(std::isnan(point.standard_error));
-}
-
 TEST(HertzLawFit, ShowsTheoryBesideTheFit) {
   const ElasticDisk disk{kModulus, 0.27};
   std::vector<MeanPoint> points;

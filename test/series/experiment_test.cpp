@@ -163,11 +163,11 @@ TEST(Answer, HasAnErrorForEveryNumber) {
 /// Waves along a bar: √(E/ρ), ρ = 1/π. The grips pull a little harder than the middle, since the
 /// rim is stiffer.
 TEST(Result, OfAStretchHasTheSpeedOfSound) {
-  const YAML::Node result = performed(scene_of("stretch", {})).result();
-  const auto young_modulus = result["young_modulus"].as<double>();
+  const Result result = performed(scene_of("stretch", {})).result();
+  const auto young_modulus = result.number("young_modulus");
   EXPECT_NEAR(young_modulus, 1.082, 0.1);
-  EXPECT_NEAR(result["sound_speed"].as<double>(), std::sqrt(M_PI * young_modulus), 1e-12);
-  EXPECT_NEAR(result["grip_modulus"].as<double>(), young_modulus, 0.1 * young_modulus);
+  EXPECT_NEAR(result.number("sound_speed"), std::sqrt(M_PI * young_modulus), 1e-12);
+  EXPECT_NEAR(result.number("grip_modulus"), young_modulus, 0.1 * young_modulus);
 }
 
 }  // namespace

@@ -95,12 +95,5 @@ TEST(Counts, AreByVerdictAndByCause) {
   EXPECT_EQ(refusals.at("the lattice folds"), 1);
 }
 
-TEST(Quantile, LiesBetweenTheValues) {
-  EXPECT_DOUBLE_EQ(quantile({1.0, 2.0, 4.0}, 0.5), 2.0);
-  EXPECT_DOUBLE_EQ(quantile({1.0, 2.0, 4.0}, 0.75), 3.0);
-  EXPECT_DOUBLE_EQ(quantile({1.0, 2.0, 4.0}, 1.0), 4.0);
-  EXPECT_TRUE(std::isnan(quantile({}, 0.5)));
-}
-
 }  // namespace
 }  // namespace impact

@@ -44,10 +44,5 @@ TEST(CoarsestSufficient, DoesNotTakeARunWithoutAnswer) {
   EXPECT_EQ(coarsest_sufficient({1e-5, kNaN}, 1e-4), std::nullopt);
 }
 
-TEST(Median, IsTheMiddleOrTheMeanOfTheMiddleTwo) {
-  EXPECT_EQ(median({3.0, 1.0, 2.0}), 2.0);
-  EXPECT_EQ(median({4.0, 1.0, 3.0, 2.0}), 2.5);
-}
-
 }  // namespace
 }  // namespace impact
