@@ -33,7 +33,7 @@ DiskContact::DiskContact(const Repulsion& law, double threshold,
       on_first_(law, threshold, GapMeasure::kNearest, points_of(first), second, position),
       on_second_(law, threshold, GapMeasure::kNearest, points_of(second), first, position) {}
 
-void DiskContact::add_forces(const ConstPoints& position, Points force) {
+void DiskContact::add_forces(const ConstPoints& position, const Points& force) {
   on_first_.add_forces(position, force);
   on_second_.add_forces(position, force);
   take_in(on_first_.total_force() - on_second_.total_force(),

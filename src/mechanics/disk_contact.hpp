@@ -23,7 +23,7 @@ class DiskContact : public ForceTerm, public Contact {
   DiskContact(const Repulsion& law, double threshold, const std::vector<std::int32_t>& first,
               const std::vector<std::int32_t>& second, const ConstPoints& position);
 
-  void add_forces(const ConstPoints& position, Points force);
+  void add_forces(const ConstPoints& position, const Points& force);
   void enter(const PointArray& position, EnergyLedger& ledger) const;
 
   double moving_ends() const override { return kMovingEnds; }

@@ -59,6 +59,22 @@ void SurfaceContact::add_forces(const ConstPoints& position, Points force) {
   }
 }
 
+/// Of a point that is nearest to the end `corner` of a bond (0: the first of the chain), from which
+/// it lies at x, y. Nearest to a corner that sticks out is only what lies outside, nearest to one
+/// in a dent only what lies inside.
+SurfaceContact::Gap SurfaceContact::gap_to_corner(const ConstPoints& position, std::int32_t corner,
+                                                  double x, double y, double foot) const {
+  const auto place = [&](std::int32_t k) -> Eigen::Array2d {
+    return position.row(surface_[static_cast<std::size_t>((k + bonds()) % bonds())]).transpose();
+  };
+  const Eigen::Array2d before = place(corner) - place(corner - 1);
+  const Eigen::Array2d after = place(corner + 1) - place(corner);
+  const bool sticks_out = before.x() * after.y() - before.y() * after.x() <= 0.0;  // clockwise
+  const double side = sticks_out ? 1.0 : -1.0;
+  const double distance = std::hypot(x, y);
+  return {side * distance, {side * x / distance, side * y / distance}, foot};
+}
+
 template <GapMeasure kMeasure>
 SurfaceContact::Gap SurfaceContact::gap(const ConstPoints& position, Eigen::Index point,
                                         std::int32_t bond) const {
@@ -72,12 +88,12 @@ SurfaceContact::Gap SurfaceContact::gap(const ConstPoints& position, Eigen::Inde
     return {y - dy / dx * x, {-dy / dx, 1.0}, x / dx};
   }
   const double length = std::hypot(dx, dy);
-  const Gap across{(dx * y - dy * x) / length,
-                   {-dy / length, dx / length},
-                   (dx * x + dy * y) / (length * length)};
+  Gap across{(dx * y - dy * x) / length,
+             {-dy / length, dx / length},
+             (dx * x + dy * y) / (length * length)};
   if constexpr (kMeasure == GapMeasure::kNearest) {
-    if (across.foot < 0.0) return gap_to_end(x, y, across, 0.0);
-    if (across.foot > 1.0) return gap_to_end(x - dx, y - dy, across, 1.0);
+    if (across.foot < 0.0) return gap_to_corner(position, bond, x, y, 0.0);
+    if (across.foot > 1.0) return gap_to_corner(position, bond + 1, x - dx, y - dy, 1.0);
   }
   return across;
 }
@@ -93,13 +109,6 @@ SurfaceContact::Gap SurfaceContact::gap(const ConstPoints& position, Eigen::Inde
       break;
   }
   return gap<GapMeasure::kNearest>(position, point, bond);
-}
-
-/// Of a point that is nearest to an end of the bond, from which it lies at x, y.
-SurfaceContact::Gap SurfaceContact::gap_to_end(double x, double y, const Gap& across, double end) {
-  const double distance = std::hypot(x, y);
-  const double side = across.length < 0.0 ? -1.0 : 1.0;
-  return {side * distance, {side * x / distance, side * y / distance}, end};
 }
 
 template <GapMeasure kMeasure>

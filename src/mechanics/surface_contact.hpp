@@ -92,7 +92,8 @@ class SurfaceContact : public ForceTerm, public Contact {
   template <GapMeasure kMeasure>
   Gap gap(const ConstPoints& position, Eigen::Index point, std::int32_t bond) const;
   Gap gap(const ConstPoints& position, Eigen::Index point, std::int32_t bond) const;
-  static Gap gap_to_end(double x, double y, const Gap& across, double end);
+  Gap gap_to_corner(const ConstPoints& position, std::int32_t corner, double x, double y,
+                    double foot) const;
   template <GapMeasure kMeasure>
   void add(const ConstPoints& position, Points& force);
   template <class Use>

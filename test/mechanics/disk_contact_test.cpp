@@ -103,6 +103,18 @@ TEST(DiskContact, FollowsThePointsAround) {
   }
 }
 
+/// A point beyond a sharp corner lies on the inner side of one bond's line, and yet outside.
+TEST(DiskContact, IsOutsideBeyondASharpCorner) {
+  PointArray position(6, 2);
+  for (double x = -0.2; x <= 0.2; x += 0.01) {
+    // Needles of an angle of 17°, tip beside tip.
+    position << x - 0.3, 2.1, x + 0.3, 2.1, x, 0.1, -0.3, -2.0, 0.3, -2.0, 0.0, 0.0;
+    DiskContact contact(kRepulsion, kReach, {0, 1, 2, 0}, {3, 5, 4, 3}, position);
+    const double gap = std::hypot(x, 0.1);
+    EXPECT_NEAR(contact.potential_energy(position), 2.0 * kRepulsion.potential_at(gap), 1e-12) << x;
+  }
+}
+
 TEST(DiskContact, ForcesAreTheGradientOfTheEnergy) {
   constexpr double kStep = 1e-6;
   for (unsigned seed = 0; seed < 20; ++seed) {
