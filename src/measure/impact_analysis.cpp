@@ -77,15 +77,29 @@ Restitution ImpactAnalysis::restitution(bool separated) const {
   Restitution result;
   result.contact_begin = contact_.begin();
   if (!before_) return result;
+  say_before(result);
+  if (!separated) return result;
+  say_after(result);
+  result.contact_end = contact_.end();
+  result.contact_duration = contact_.duration();
+  result.peak_force = contact_.peak_force();
+  result.impulse = impulse_;
+  return result;
+}
+
+void ImpactAnalysis::say_before(Restitution& result) const {
   const BodyMotion& before = before_->first;
-  const BodyMotion& after = latest_.first;
   result.velocity_before = before.velocity.y();
   result.tangential_velocity_before = before.velocity.x();
   result.spin_before = before.spin();
   result.moment_of_inertia = before.moment_of_inertia;
+  result.energy_before = 0.5 * shares(*before_).sum();
+}
+
+void ImpactAnalysis::say_after(Restitution& result) const {
+  const BodyMotion& before = before_->first;
+  const BodyMotion& after = latest_.first;
   const double energy = shares(*before_).sum();
-  result.energy_before = 0.5 * energy;
-  if (!separated) return result;
   result.velocity_after = after.velocity.y();
   result.restitution = -result.velocity_after / result.velocity_before;
   result.tangential_velocity_after = after.velocity.x();
@@ -101,11 +115,6 @@ Restitution ImpactAnalysis::restitution(bool separated) const {
   }
   result.impulse_ratio =
       (after.velocity.x() - before.velocity.x()) / (after.velocity.y() - before.velocity.y());
-  result.contact_end = contact_.end();
-  result.contact_duration = contact_.duration();
-  result.peak_force = contact_.peak_force();
-  result.impulse = impulse_;
-  return result;
 }
 
 }  // namespace impact

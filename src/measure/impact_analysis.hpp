@@ -77,6 +77,8 @@ class ImpactAnalysis {
   };
   Shares shares(const Motions& motions) const;
   double sliding(const Motions& motions) const;
+  void say_before(Restitution& result) const;
+  void say_after(Restitution& result) const;
   BodyMotion where_it_touches(BodyMotion motion) const;
 
   double gravity_;

@@ -49,11 +49,16 @@ PointArray shape_at_start(const Scene& scene, const Bodies& bodies) {
   return spin == 0.0 ? reference : spinning_shape(scene, bodies);
 }
 
-/// Moves the disk to where its lowest point is at this height, and so far to the side that it will
-/// touch another disk at its top.
-void raise(const Scene& scene, double lowest, PointArray& disk) {
-  disk.col(1) += lowest - disk.col(1).minCoeff();
-  if (scene.hits_disk()) disk.col(0) -= scene.impact.tangent() * lowest;
+/// Moves the disk to where its lowest point is at this height.
+void raise(double lowest, PointArray& disk) { disk.col(1) += lowest - disk.col(1).minCoeff(); }
+
+/// Moves the disk so far to the side that it will touch another disk at its top: as high above it
+/// as one point would hold the energy of the motion along y.
+void move_aside(const Scene& scene, const Bodies& bodies, const Repulsion& law, double lowest,
+                PointArray& disk) {
+  const double energy =
+      0.5 * reduced_mass(scene, bodies) * std::pow(scene.impact.normal_velocity(), 2);
+  disk.col(0) -= scene.impact.tangent() * (lowest - law.gap_of_energy(energy));
 }
 
 /// A height from which on what the disk meets holds less than a negligible energy.
@@ -83,7 +88,7 @@ State initial_state(const Scene& scene, const Bodies& bodies, const PotentialWal
   State state;
   state.velocity = PointArray::Zero(points + second_points, 2);
   if (scene.kind == SceneKind::kContact) {
-    raise(scene, wall.gap_of_force(scene.load.p), disk);
+    raise(wall.gap_of_force(scene.load.p), disk);
   } else {
     const double part = reduced_mass(scene, bodies);
     const Eigen::Array2d velocity{part * scene.impact.tangential_velocity(),
@@ -97,7 +102,9 @@ State initial_state(const Scene& scene, const Bodies& bodies, const PotentialWal
       const double ratio = static_cast<double>(points) / static_cast<double>(second_points);
       state.velocity.bottomRows(second_points).rowwise() -= ratio * velocity.transpose();
     }
-    raise(scene, gap_at_start(scene, negligible_height(scene, bodies, wall, disk)), disk);
+    const double lowest = gap_at_start(scene, negligible_height(scene, bodies, wall, disk));
+    raise(lowest, disk);
+    if (scene.hits_disk()) move_aside(scene, bodies, wall, lowest, disk);
   }
   state.position.resize(points + second_points, 2);
   state.position.topRows(points) = disk;

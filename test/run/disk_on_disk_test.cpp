@@ -74,8 +74,9 @@ TEST(DiskOnDisk, KeepsMomentumAngularMomentumAndEnergy) {
   // Rounding of a thousand steps: √1000 · 10⁻¹⁶ of the size of the terms, 592 points of 0.1 c each.
   EXPECT_LT(run.state().velocity.colwise().sum().abs().maxCoeff(), 1e-12);
   EXPECT_NEAR(angular_momentum(run.state()), before, 1e-11);
-  EXPECT_LT(run.energy_error(), 1e-3);  // of Verlet at this step: it goes with its square
-  scene.numerics.step = 0.0025;
+  EXPECT_LT(run.energy_error(), 1e-4);
+  // Of Verlet it goes with the square of the step, where forces turn in dents with the step.
+  scene.numerics.step = 0.000625;
   impact::Run finer(scene);
   finish(finer);
   EXPECT_LT(finer.energy_error(), 0.5 * run.energy_error());
@@ -180,13 +181,15 @@ TEST(DiskOnDisk, TouchesAtTheTopAlsoObliquely) {
   const auto offset = [&] {
     return motion_of(run.disk_state()).centre.x() - motion_of(run.second_state()).centre.x() - off;
   };
-  EXPECT_NEAR(offset(), -0.1 * std::tan(M_PI / 3.0), 1e-12);
-  const double normal_way = 0.1;  // until the heights agree
-  while (run.system().time() < normal_way / scene.impact.normal_velocity() - 0.5 * 0.02) {
-    run.advance();
-  }
-  // Within an output period of 0.02 R/c and what the contact has slowed down in the last 0.02 R.
-  EXPECT_NEAR(offset(), 0.0, 5e-3);
+  // One point of a pair of reduced mass ½ holds the energy of the motion along y at this gap, and
+  // until there nothing slows the disks down by much.
+  const double energy = 0.25 * std::pow(scene.impact.normal_velocity(), 2);
+  const double gap = run.system().field().contact()->gap_of_energy(energy);
+  const double way = 0.1 - gap;
+  EXPECT_NEAR(offset(), -way * std::tan(M_PI / 3.0), 1e-12);
+  while (run.system().time() < way / scene.impact.normal_velocity() - 0.5 * 0.02) run.advance();
+  // In an output period they slide by 9·10⁻⁴ R; what the repulsion has slowed down is as little.
+  EXPECT_NEAR(offset(), 0.0, 2e-3);
 }
 
 /// The run ends when the disks cannot meet again: followed for long after, they do not.

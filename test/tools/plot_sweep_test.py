@@ -25,9 +25,9 @@ class PlotSweep(InFolder):
 
     def test_mean_and_error_over_seeds_are_drawn(self):
         table = self.table(ROWS)
-        x, y = plot_sweep.chosen_columns(table, None, None)
-        self.assertEqual((x, y), ('impact.velocity', 'restitution'))
-        ax, = plot_sweep.draw_sweep(table, x, y).axes
+        x, columns = plot_sweep.chosen_columns(table, None, [])
+        self.assertEqual((x, columns), ('impact.velocity', ['restitution']))
+        ax, = plot_sweep.draw_sweep(table, x, columns).axes
         self.assertEqual([text.get_text() for text in ax.get_legend().get_texts()],
                          [r'$\eta^*$ = 0', r'$\eta^*$ = 10'])
         for container, eta in zip(ax.containers, (0, 10)):
@@ -48,8 +48,18 @@ class PlotSweep(InFolder):
 
     def test_columns_are_found_by_their_last_part(self):
         table = self.table(ROWS)
-        self.assertEqual(plot_sweep.chosen_columns(table, 'eta', 'restitution_error'),
-                         ('material.eta', 'restitution_error'))
+        self.assertEqual(plot_sweep.chosen_columns(table, 'eta', ['restitution_error']),
+                         ('material.eta', ['restitution_error']))
+
+    def test_several_columns_are_drawn_together(self):
+        table = self.table([row for row in ROWS if ',0,potential' in row])
+        x, columns = plot_sweep.chosen_columns(table, 'velocity',
+                                               ['restitution', 'restitution_error'])
+        ax, = plot_sweep.draw_sweep(table, x, columns).axes
+        self.assertEqual([text.get_text() for text in ax.get_legend().get_texts()],
+                         ['$e$', 'restitution_error'])
+        self.assertEqual(ax.get_ylabel(), '')
+        np.testing.assert_allclose(ax.containers[1][0].get_ydata(), [1e-6, 1e-6])
 
     def test_failed_rows_are_left_out_and_told(self):
         self.table([*ROWS, 'collision,4,0,potential,0.01,nan,nan,',

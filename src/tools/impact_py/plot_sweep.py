@@ -1,5 +1,5 @@
-"""Draws one column of a CSV file of `sweep` against another: means over the seeds with their
-standard errors, one curve for each combination of the other keys that were swept."""
+"""Draws columns of a CSV file of `sweep` against another: means over the seeds with their standard
+errors, one curve for each column and each combination of the other keys that were swept."""
 
 import itertools
 import math
@@ -17,7 +17,8 @@ LABELS = {"impact.velocity": "$v/c$", "material.eta": r"$\eta^*$", "restitution"
           "contact_duration": "contact duration $(R/c)$", "peak_force": "peak force $(M c^2/R)$",
           "spin_after": "spin after $(c/R)$", "young_modulus": "$E$ $(M c^2/R^2)$",
           "impact.angle": "angle (degrees)", "impact.spin": r"$\omega$ $(c/R)$",
-          "tangential_restitution": r"$\beta$", "wall.a": "$a$ $(1/R)$",
+          "tangential_restitution": r"$\beta$", "normal_energy": "normal energy after",
+          "tangential_energy": "tangential energy after", "rotation_energy": "rotation energy after", "wall.a": "$a$ $(1/R)$",
           "wall.k_a": "wall's $k_a$ $(M c^2/R^2)$"}
 
 
@@ -27,7 +28,7 @@ def main():
     parser.add_argument("file", type=Path, metavar="FILE.csv")
     parser.add_argument("x", nargs="?", help="column; without it the velocity or the load of an "
                         "answer, else the first key that was swept")
-    parser.add_argument("y", nargs="?", help="column; without it what the scene answers: "
+    parser.add_argument("y", nargs="*", help="columns; without them what the scene answers: "
                         "restitution, strain or young_modulus")
     parser.add_argument("--output", type=Path, metavar="FILE",
                         help=f"picture, {', '.join(PICTURES)}; without it and without a display: "
@@ -42,11 +43,11 @@ def perform(arguments):
     from .tables import read_table
 
     table = read_table(arguments.file)
-    x, y = chosen_columns(table, arguments.x, arguments.y)
+    x, columns = chosen_columns(table, arguments.x, arguments.y)
     from . import style
 
     shown = style.choose_window(arguments.output is None)
-    figure = draw_sweep(table, x, y)
+    figure = draw_sweep(table, x, columns)
     if shown:
         style.plt.show()
         return
@@ -78,8 +79,8 @@ def column_named(table, name):
     raise InputError(f"{table.path}: has no {name}, only {', '.join(numbers)}")
 
 
-def chosen_columns(table, x, y):
-    """What to draw against what."""
+def chosen_columns(table, x, columns):
+    """What to draw against what: x and a list."""
     if not table or len(next(iter(table.values()))) == 0:
         raise InputError(f"{table.path}: has no rows")
     swept = swept_keys(table)
@@ -88,16 +89,16 @@ def chosen_columns(table, x, y):
         x = next((key for key, _ in answered if key in swept), swept[0] if swept else None)
         if x is None:
             raise InputError(f"{table.path}: no key was swept but the seed; say which x")
-    if y is None:
+    if not columns:
         if not answered:
             raise InputError(f"{table.path}: has no {' or '.join(dict(ANSWERS).values())}; say "
                              "which y")
-        y = answered[0][1]
-    columns = column_named(table, x), column_named(table, y)
-    for name in columns:
+        columns = [answered[0][1]]
+    x, *columns = [column_named(table, name) for name in (x, *columns)]
+    for name in (x, *columns):
         if table[name].dtype.kind != "f":
             raise InputError(f"{table.path}: {name} is no column of numbers")
-    return columns
+    return x, columns
 
 
 def curves(table, x, y):
@@ -133,26 +134,37 @@ def standard_error(group, y):
     return stated if isinstance(stated, float) and math.isfinite(stated) else 0.0
 
 
-def draw_sweep(table, x, y):
+def curves_of_all(table, x, columns):
+    """[(what to call it, as curves() without the values)] of several columns."""
+    found = []
+    for y in columns:
+        counted = 0
+        for values, *curve in curves(table, x, y):
+            names = [LABELS.get(y, y)] if len(columns) > 1 else []
+            names += [f"{LABELS.get(key, key)} = {plain(value)}" for key, value in values.items()]
+            found.append((", ".join(names), *curve))
+            counted += curve[-1].sum()
+        if not counted:
+            raise InputError(f"{table.path}: no row has a number for {x} and {y}")
+        left_out = len(table[y]) - counted
+        if left_out:
+            print(f"{table.path}: left out without a number: {left_out} of {len(table[y])} rows",
+                  file=sys.stderr)
+    return found
+
+
+def draw_sweep(table, x, columns):
     """The figure."""
     # pylint: disable=import-outside-toplevel
     import numpy as np
 
     from . import style
 
-    found = curves(table, x, y)
-    if not found:
-        raise InputError(f"{table.path}: no row has a number for {x} and {y}")
-    left_out = len(table[y]) - sum(counts.sum() for *_, counts in found)
-    if left_out:
-        print(f"{table.path}: left out without a number: {left_out} of {len(table[y])} rows",
-              file=sys.stderr)
+    found = curves_of_all(table, x, columns)
     figure, ((ax,),) = style.panels(1.5 * style.ONE_COLUMN, 0.9 * style.ONE_COLUMN)
     colours = style.plt.cm.viridis(np.linspace(0, 0.87, len(found)))
-    for (values, places, means, errors, _), colour, marker in zip(
+    for (label, places, means, errors, _), colour, marker in zip(
             found, colours, itertools.cycle(style.MARKERS)):
-        label = ", ".join(f"{LABELS.get(key, key)} = {plain(value)}"
-                          for key, value in values.items())
         line = {**style.marker_style(colour, marker), "linestyle": "-", "linewidth": 0.6}
         ax.errorbar(places, means, errors, elinewidth=0.7, capsize=1.5, label=label, **line)
     places = np.unique(table[x])
@@ -160,7 +172,8 @@ def draw_sweep(table, x, y):
         ax.set_xscale("log")
         style.plain_log_axis(ax.xaxis, places[0], places[-1])
     ax.set_xlabel(LABELS.get(x, x))
-    ax.set_ylabel(LABELS.get(y, y))
+    if len(columns) == 1:
+        ax.set_ylabel(LABELS.get(columns[0], columns[0]))
     seeds = max(counts.max() for *_, counts in found)
     if len(found) > 1 or seeds > 1:
         title = f"mean of {seeds} seeds" if seeds > 1 else None
