@@ -50,15 +50,9 @@ class Course(InFolder):
         """The C++ ledger, and the same energies from the states by other formulas."""
         recording = open_recording(simulate(self.folder / 'run', [*SMALL_WALL, 'material.k_b=1000'],
                                             '--states'))
-        written = recording.history()
-        ledger = type('Ledger', (), {'total': sum(energy[0] for energy
-                                                  in written.energies.values()),
-                                     'dissipated': 0.0, 'absorbed': 0.0, 'hops': 0.0})
-        measured = history.measure_history(recording, [(0, ledger)])
+        written, measured = self.assert_energies_agree(
+            recording, ('translation', 'rotation', 'vibration', 'bonds', 'wall lattice'))
         energy_of_impact = written.energies['translation'][0]
-        for name in ('translation', 'rotation', 'vibration', 'bonds', 'wall lattice'):
-            np.testing.assert_allclose(measured.energies[name], written.energies[name],
-                                       atol=1e-12 * energy_of_impact, err_msg=name)
         np.testing.assert_allclose(measured.strain, written.strain, atol=1e-14)
         np.testing.assert_allclose(measured.velocity, written.velocity, atol=1e-16)
         # Points that the wall hardly pushes are not in the dump: 1e-6 of the velocity each.
@@ -69,6 +63,39 @@ class Course(InFolder):
         lost = written.energies['absorbed'] + written.energies['hops']
         np.testing.assert_allclose(measured.energies['absorbed'], lost,
                                    atol=2e-4 * energy_of_impact)  # the wall's and the step's error
+
+
+    def assert_energies_agree(self, recording, names):
+        written = recording.history()
+        ledger = type('Ledger', (), {'total': sum(energy[0] for energy
+                                                  in written.energies.values()),
+                                     'dissipated': 0.0, 'absorbed': 0.0, 'hops': 0.0})
+        measured = history.measure_history(recording, [(0, ledger)])
+        for name in names:
+            np.testing.assert_allclose(measured.energies[name], written.energies[name],
+                                       atol=1e-12 * written.energies['translation'][0],
+                                       err_msg=name)
+        return written, measured
+
+    def test_columns_of_two_disks_agree_with_the_states(self):
+        recording = open_recording(simulate(
+            self.folder / 'run', ['disk_on_disk', 'disk.points=30', 'wall.radius=1.3',
+                                  'wall.k_a=0.5', 'impact.velocity=0.05', 'impact.angle=30'],
+            '--states'))
+        written, measured = self.assert_energies_agree(
+            recording, ('translation', 'rotation', 'vibration', 'bonds'))
+        self.assertNotIn('elastic wall', course.title_of(recording))
+        self.assertGreater(written.energies['wall'].max(),
+                           0.02 * written.energies['translation'][0])
+        # A point's forces are added up before their size is taken: those of two bonds that meet at
+        # an angle of 0.3 lose 1 % of it.
+        np.testing.assert_allclose(measured.energies['wall'], written.energies['wall'],
+                                   atol=0.02 * written.energies['wall'].max())
+
+    def test_weight_is_in_the_load(self):
+        recording = open_recording(simulate(
+            self.folder / 'run', [*SMALL_DAMPED, 'material.eta=0', 'gravity=2e-3'], '--states'))
+        self.assert_energies_agree(recording, ('translation', 'bonds', 'load'))
 
 
 class Film(InFolder):

@@ -33,7 +33,7 @@ class Body:
 
 @dataclass
 class State:
-    """All points at one time: those of the disk and, after them, those of an elastic wall."""
+    """All points at one time: those of the disk and, after them, those of a second body."""
 
     step: int
     time: float  # R/c

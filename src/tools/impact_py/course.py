@@ -86,5 +86,5 @@ def title_of(recording):
     if "load" in scene:
         parts.append(f"$P = {recording.number('load', 'P'):g}\\,M c^2/R$")
     if recording.wall is not None:
-        parts.append("elastic wall")
+        parts.append("two disks" if recording.hits_disk else "elastic wall")
     return ", ".join(parts)

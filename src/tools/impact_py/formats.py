@@ -17,7 +17,7 @@ def numbers(rows):
 
 
 def body_numbers(recording):
-    """Of all points: 1 for the disk, 2 for an elastic wall."""
+    """Of all points: 1 for the disk, 2 for a second body."""
     sizes = [len(body.points) for body in recording.bodies]
     return np.repeat(np.arange(1, len(sizes) + 1), sizes)
 

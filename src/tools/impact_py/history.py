@@ -7,7 +7,8 @@ import numpy as np
 from .bodies import compression, kinetic_energies
 from .tables import read_table
 
-ENERGIES = ("translation", "rotation", "vibration", "bonds", "wall", "wall lattice", "load",
+MOTIONS = ("translation", "rotation", "vibration")
+ENERGIES = (*MOTIONS, "bonds", "wall", "wall lattice", "load",
             "dissipated", "absorbed", "hops")
 
 
@@ -43,7 +44,7 @@ def measure_history(recording, ledgers):
     for way in ("dissipated", "hops", "absorbed"):
         course = [getattr(ledger, way) for _, ledger in ledgers]
         energies[way] = np.interp(np.arange(len(lost)), known_at, course)
-    if recording.wall is not None:
+    if recording.wall is not None and not recording.hits_disk:
         energies["absorbed"] = lost - energies["dissipated"] - energies["hops"]
     elif recording.number("material", "eta") > 0.0:
         energies["dissipated"] = lost
@@ -64,22 +65,32 @@ def _measures(recording, state):
         "bonds": recording.disk.bond_energy(disk, *bond_law),
         "wall": 0.0,
         "wall lattice": 0.0,
-        "load": recording.number("load", "P", 0.0) * disk[:, 1].mean(),
+        "load": _weight(recording) * disk[:, 1].mean(),
     }
     kinetic = kinetic_energies(disk, disk_velocity, mass)
-    measures.update(zip(("translation", "rotation", "vibration"), kinetic))
+    measures.update(zip(MOTIONS, kinetic))
     if "wall" in recording.scene:
         # The potential exp(−a l) holds the force over a.
         sizes = np.hypot(*disk_force.T)
         measures["wall"] = sizes.sum() / recording.number("wall", "a")
     if wall:
-        moving = 0.5 * recording.wall.point_mass * np.sum(wall_velocity[0] ** 2)
-        measures["wall lattice"] = moving + recording.wall.bond_energy(wall[0], *_bond_law(recording, "wall"))
+        bonds = recording.wall.bond_energy(wall[0], *_bond_law(recording, "wall"))
+        mass = recording.wall.point_mass
+        if recording.hits_disk:
+            measures["bonds"] += bonds
+            for name, energy in zip(MOTIONS, kinetic_energies(wall[0], wall_velocity[0], mass)):
+                measures[name] += energy
+        else:
+            measures["wall lattice"] = 0.5 * mass * np.sum(wall_velocity[0] ** 2) + bonds
     return measures
 
 
+def _weight(recording):
+    return recording.number("load", "P", 0.0) + float(recording.scene.get("gravity", 0.0))
+
+
 def _bond_law(recording, part):
-    """k_a and k_b of the disk ("material") or of an elastic wall, which may have its own."""
+    """k_a and k_b of the disk ("material") or of a second body, which may have its own."""
     own = recording.scene.get(part) or {}
     return tuple(recording.number(part if own.get(key, "auto") != "auto" else "material", key)
                  for key in ("k_a", "k_b"))

@@ -8,8 +8,8 @@ from .program import InputError
 
 
 class Recording:
-    """One run. `scene`: as used, nested by key; `disk`, `wall`: bodies, the second None without an
-    elastic wall."""
+    """One run. `scene`: as used, nested by key; `disk`, `wall`: bodies, the second an elastic wall
+    or another disk, or None."""
 
     def __init__(self, path, scene, disk, wall):
         self.path = path
@@ -34,8 +34,13 @@ class Recording:
 
     @property
     def bodies(self):
-        """The disk and, if there is one, the elastic wall."""
+        """The disk and, if there is one, the second body."""
         return [self.disk] if self.wall is None else [self.disk, self.wall]
+
+    @property
+    def hits_disk(self):
+        """Whether the second body is another disk."""
+        return (self.scene.get("wall") or {}).get("type") == "disk"
 
     @property
     def disk_rows(self):
