@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "theory/quasi_static.hpp"
+#include "fits/quasi_static_impact.hpp"
 
 namespace impact {
 namespace {

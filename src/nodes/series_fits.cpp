@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "fits/law_fit.hpp"
+#include "fits/quasi_static_impact.hpp"
 #include "measure/flags.hpp"
 #include "nodes/conversions.hpp"
 #include "scene/scene_parameters.hpp"
-#include "theory/quasi_static.hpp"
 
 namespace impact {
 namespace {

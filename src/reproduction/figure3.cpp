@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "fits/quasi_static_impact.hpp"
 #include "output/table.hpp"
 #include "reproduction/ensemble.hpp"
 #include "reproduction/reproduction.hpp"
 #include "reproduction/restitution_curve.hpp"
-#include "theory/quasi_static.hpp"
 
 namespace impact {
 namespace {

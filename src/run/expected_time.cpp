@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mechanics/disk_contact.hpp"
+#include "theory/quasi_static.hpp"
 
 namespace impact {
 namespace {
@@ -32,14 +33,12 @@ double impact_time(const Scene& scene, double gap) {
   const double softer = std::min(scene.material.k_a, scene.wall_material().k_a);
   const double sound_speed = estimated_sound_speed(softer);
   const double v = scene.impact.normal_velocity();
-  const double contact =
-      M_PI / sound_speed * std::sqrt(std::max(1.0, std::log(4.0 * sound_speed / v)));
-  return 2.0 * std::max(0.0, gap) / v + contact;
+  return 2.0 * std::max(0.0, gap) / v + contact_time_at_most(sound_speed, v);
 }
 
 }  // namespace
 
-double estimated_sound_speed(double k_a) { return std::sqrt(2.0 / std::sqrt(3.0) * k_a * M_PI); }
+double estimated_sound_speed(double k_a) { return sound_speed(2.0 / std::sqrt(3.0) * k_a); }
 
 PotentialWall repulsion(const Scene& scene, Eigen::Index points) {
   const double mass = 1.0 / static_cast<double>(points);
@@ -62,6 +61,11 @@ double moving_ends(const Scene& scene) {
 double negligible_wall_energy(const Scene& scene) {
   const double v = scene.impact.normal_velocity();
   return negligible_fraction(scene) * 0.5 * v * v;
+}
+
+double contact_time_at_most(double sound_speed, double velocity) {
+  const double fastest = 4.0 * sound_speed * std::exp(-1.0);
+  return contact_time(sound_speed, std::min(velocity, fastest));
 }
 
 double negligible_fraction(const Scene& scene) { return 0.01 * scene.numerics.error; }

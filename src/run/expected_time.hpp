@@ -22,6 +22,9 @@ double moving_ends(const Scene& scene);
 /// along y at the start. In M c².
 double negligible_wall_energy(const Scene& scene);
 
+/// contact_time(), which falls with the velocity, down to its least: π R/c_s.
+double contact_time_at_most(double sound_speed, double velocity);
+
 /// The fraction of a kinetic energy that counts as none: numerics.error/100.
 double negligible_fraction(const Scene& scene);
 

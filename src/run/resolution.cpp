@@ -18,6 +18,7 @@
 #include "scene/scene_parameters.hpp"
 #include "solvers/make_bdf.hpp"
 #include "solvers/make_rk8pd.hpp"
+#include "theory/hertz.hpp"
 
 namespace impact {
 namespace {
@@ -161,17 +162,14 @@ double cost_of_step(const Scene& scene, IntegratorKind integrator) {
 
 double largest_point_force(const Scene& scene, int points, double sound_speed) {
   double total = 2.0 * scene.load.p;
+  double stopping_one_point = 0.0;
   if (scene.kind == SceneKind::kCollision) {
     const double v = scene.impact.normal_velocity();
-    total = v * sound_speed / std::sqrt(std::max(1.0, std::log(4.0 * sound_speed / v)));
+    total = M_PI * v / contact_time_at_most(sound_speed, v);
+    stopping_one_point = 0.5 * scene.wall.a * v * v / points;
   }
-  const double young_modulus = sound_speed * sound_speed / M_PI;
-  const double stopping_one_point =
-      scene.kind == SceneKind::kCollision
-          ? 0.5 * scene.wall.a * std::pow(scene.impact.normal_velocity(), 2) / points
-          : 0.0;
-  const double half_width = std::sqrt(4.0 * total / (M_PI * young_modulus));
-  const double peak_pressure = 2.0 * total / (M_PI * half_width);
+  const ElasticDisk disk{sound_speed * sound_speed / M_PI, 0.0};
+  const double peak_pressure = contact_pressure(disk, total, 0.0);
   const double share = std::min(total, 2.0 * peak_pressure * std::sqrt(M_PI / points));
   return std::max(share, stopping_one_point);
 }

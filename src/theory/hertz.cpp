@@ -1,8 +1,5 @@
 #include "theory/hertz.hpp"
 
-#include <gsl/gsl_math.h>
-#include <gsl/gsl_sf_lambert.h>
-
 #include <cmath>
 
 namespace impact {
@@ -17,17 +14,6 @@ double relative_force(const ElasticDisk& disk, double force) {
 double hertz_compression(const ElasticDisk& disk, double b, double force) {
   const double p = b * relative_force(disk, force);
   return p * (std::log(4.0 / p) - 1.0 - disk.poisson_ratio);
-}
-
-double hertz_force(const ElasticDisk& disk, double b, double compression) {
-  // With p = bP/(πE), L = ln 4 − 1 − ν and u = L − ln p, eq. (2) reads u exp(−u) = ξ exp(−L); the
-  // rising branch has u > 1.
-  const double l = std::log(4.0) - 1.0 - disk.poisson_ratio;
-  const double argument = -compression * std::exp(-l);
-  if (!(argument >= -std::exp(-1.0)) || compression < 0.0) return GSL_NAN;
-  if (compression == 0.0) return 0.0;
-  const double p = std::exp(l + gsl_sf_lambert_Wm1(argument));
-  return p * M_PI * disk.young_modulus / b;
 }
 
 double inertial_load_compression(const ElasticDisk& disk, double force) {

@@ -14,10 +14,6 @@ struct ElasticDisk {
 /// b = 1 − ν² in the paper's theory, a fitted number in its figure 2.
 double hertz_compression(const ElasticDisk& disk, double b, double force);
 
-/// The inverse of hertz_compression() on its rising branch, up to its maximum at
-/// b P/(πE) = 4 exp(−2 − ν). NaN beyond.
-double hertz_force(const ElasticDisk& disk, double b, double compression);
-
 /// Compression of a plane-stress disk that a uniform body force holds on a rigid plane, to leading
 /// order in P/(πE): ξ = P/(πE) [ln(πE R/P) − (1 + ν)/4], the height of the centre of mass.
 double inertial_load_compression(const ElasticDisk& disk, double force);

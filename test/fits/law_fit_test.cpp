@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "fits/quasi_static_impact.hpp"
 #include "sample_disk.hpp"
-#include "theory/quasi_static.hpp"
 
 namespace impact {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
+#include "fits/quasi_static_impact.hpp"
 #include "scene/scene_parameters.hpp"
 #include "theory/hertz.hpp"
-#include "theory/quasi_static.hpp"
 
 namespace impact {
 namespace {
