@@ -90,10 +90,10 @@ TEST(StaysAbove, NothingIsFeltAboveTheThreshold) {
 
 /// The scene's disk, free of its wall.
 struct Flying {
-  explicit Flying(const Scene& scene)
+  explicit Flying(const Scene& scene, double mass = 1.0)
       : bodies(make_bodies(scene)),
         body(bodies->disk, bodies->triangles, bodies->flexibility, scene.material,
-             std::sqrt(M_PI / static_cast<double>(bodies->disk.points.rows())), 1.0) {}
+             std::sqrt(M_PI / static_cast<double>(bodies->disk.points.rows())), mass) {}
   InnerBounds bounds(const InnerMotion& motion) const { return body.bounds(motion); }
 
   std::shared_ptr<const Bodies> bodies;
@@ -130,6 +130,26 @@ TEST(InnerBounds, WithoutDampingTheSpinIsKept) {
   EXPECT_EQ(other.counter_clockwise, 0.0);
   const InnerBounds vibrating = flight.bounds({2.0 * energy, l});
   EXPECT_GT(vibrating.swing, 5.0 * spin.swing);
+}
+
+/// The same motion of a disk of four times the mass: four times the energy of rotation, as much in
+/// the bonds. What vibrates has half the frequency, and so twice its angular momentum.
+TEST(InnerBounds, OfAHeavyDiskAreThoseOfALightOne) {
+  constexpr double kMass = 4.0;
+  constexpr double kInBonds = 1e-8;
+  const Flying light(small_scene());
+  const Flying heavy(small_scene(), kMass);
+  constexpr double kMomentum = 1e-3;
+  const double rotation = 0.5 * kMomentum * kMomentum / inertia();
+  const InnerBounds of_light = light.bounds({rotation + kInBonds, kMomentum});
+  const InnerBounds of_heavy = heavy.bounds({kMass * rotation + kInBonds, kMass * kMomentum});
+  // Of the energies' difference, up to what √I may have grown by the displacement: 10⁻⁴ of it.
+  EXPECT_NEAR(of_heavy.swing / of_light.swing, 1.0, 0.1);
+  EXPECT_NEAR(of_heavy.counter_clockwise / of_light.counter_clockwise, 1.0, 1e-3);
+  EXPECT_EQ(of_heavy.clockwise, 0.0);
+  const InnerBounds light_at_rest = light.bounds({kInBonds, 0.0});
+  const InnerBounds heavy_at_rest = heavy.bounds({kInBonds, 0.0});
+  EXPECT_NEAR(heavy_at_rest.clockwise / light_at_rest.clockwise, 0.5, 1e-12);
 }
 
 TEST(InnerBounds, OfVibrationsGrowWithTheRootOfTheEnergy) {
