@@ -18,4 +18,7 @@ struct Body {
   auto rows_of(PointArray& all) const { return all.middleRows(first, points); }
 };
 
+/// Of a body of 1 M and another of this mass, in M.
+inline double reduced_mass(double mass) { return mass / (1.0 + mass); }
+
 }  // namespace impact

@@ -81,8 +81,7 @@ class Contact : public Repulsion {
   /// integrator, do not count.
   virtual void count_hops(const ConstPoints& /*position*/) {}
   /// Energy that appeared because a point in reach came to another bond, or in or out of reach,
-  /// from count to count so far (M c²): the sum of its changes, and of their sizes.
-  virtual double hops() const { return 0.0; }
+  /// from count to count so far (M c²): the sum of the sizes of its changes.
   virtual double hops_size() const { return 0.0; }
   /// Energy of contacts that passed to another bond, times the size of the change of the normal,
   /// from count to count so far (M c²): forces that turned by a jump, even where no energy hops.

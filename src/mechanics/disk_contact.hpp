@@ -32,7 +32,6 @@ class DiskContact : public ForceTerm, public Contact {
   std::vector<PointForce> contacts(const ConstPoints& position, double least_force) const override;
   std::vector<PointForce> reactions(const ConstPoints& position, double least_force) const override;
   void count_hops(const ConstPoints& position) override;
-  double hops() const override { return on_first_.hops() + on_second_.hops(); }
   double hops_size() const override { return on_first_.hops_size() + on_second_.hops_size(); }
   double turned() const override { return on_first_.turned() + on_second_.turned(); }
 

@@ -61,9 +61,8 @@ double ForceField::potential_energy(const PointArray& position) const {
 }
 
 double ForceField::wall_potential_energy(const PointArray& position) const {
-  EnergyLedger ledger;
-  for_each_term([&](const auto& term) { term.enter(position, ledger); });
-  return ledger.wall;
+  const Contact* const met = contact();
+  return met != nullptr ? met->potential_energy(position) : 0.0;
 }
 
 EnergyLedger ForceField::ledger(const impact::State& state, const impact::Losses& losses) const {
@@ -94,8 +93,7 @@ void ForceField::enter_free(const Body& body, const impact::State& state,
 
 double ForceField::reduced_mass() const {
   if (!second_body || !second_body->is_free) return 1.0;
-  const double mass = mass_of(*second_body);
-  return mass / (1.0 + mass);
+  return impact::reduced_mass(mass_of(*second_body));
 }
 
 double ForceField::kinetic_energy(const Body& body, const impact::State& state) const {

@@ -75,15 +75,18 @@ SurfaceContact::Gap SurfaceContact::gap_to_corner(const ConstPoints& position, s
   return {side * distance, {side * x / distance, side * y / distance}, foot};
 }
 
+SurfaceContact::Place SurfaceContact::place_at(const ConstPoints& position, Eigen::Index point,
+                                               std::int32_t bond) const {
+  const std::int32_t first = surface_[static_cast<std::size_t>(bond)];
+  const std::int32_t second = surface_[static_cast<std::size_t>(bond) + 1];
+  return {position(second, 0) - position(first, 0), position(second, 1) - position(first, 1),
+          position(point, 0) - position(first, 0), position(point, 1) - position(first, 1)};
+}
+
 template <GapMeasure kMeasure>
 SurfaceContact::Gap SurfaceContact::gap(const ConstPoints& position, Eigen::Index point,
                                         std::int32_t bond) const {
-  const std::int32_t first = surface_[static_cast<std::size_t>(bond)];
-  const std::int32_t second = surface_[static_cast<std::size_t>(bond) + 1];
-  const double dx = position(second, 0) - position(first, 0);
-  const double dy = position(second, 1) - position(first, 1);
-  const double x = position(point, 0) - position(first, 0);
-  const double y = position(point, 1) - position(first, 1);
+  const auto [dx, dy, x, y] = place_at(position, point, bond);
   if constexpr (kMeasure == GapMeasure::kVertical) {
     return {y - dy / dx * x, {-dy / dx, 1.0}, x / dx};
   }
@@ -165,12 +168,7 @@ std::int32_t SurfaceContact::bond_below(const ConstPoints& position, double x,
 
 double SurfaceContact::squared_distance(const ConstPoints& position, Eigen::Index point,
                                         std::int32_t bond) const {
-  const std::int32_t first = surface_[static_cast<std::size_t>(bond)];
-  const std::int32_t second = surface_[static_cast<std::size_t>(bond) + 1];
-  const double dx = position(second, 0) - position(first, 0);
-  const double dy = position(second, 1) - position(first, 1);
-  const double x = position(point, 0) - position(first, 0);
-  const double y = position(point, 1) - position(first, 1);
+  const auto [dx, dy, x, y] = place_at(position, point, bond);
   const double foot = std::clamp((dx * x + dy * y) / (dx * dx + dy * dy), 0.0, 1.0);
   return std::pow(x - foot * dx, 2) + std::pow(y - foot * dy, 2);
 }

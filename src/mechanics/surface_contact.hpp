@@ -65,7 +65,9 @@ class SurfaceContact : public ForceTerm, public Contact {
   }
 
   double energy_beside(const ConstPoints& position) const override;
-  double hops() const override { return hops_; }
+  /// Energy that appeared because a point in reach came to another bond, or in or out of reach,
+  /// from count to count so far (M c²).
+  double hops() const { return hops_; }
   double hops_size() const override { return hops_size_; }
   double turned() const override { return turned_; }
   std::vector<PointForce> contacts(const ConstPoints& position, double least_force) const override;
@@ -89,6 +91,13 @@ class SurfaceContact : public ForceTerm, public Contact {
     }
   };
 
+  /// A bond, and a point as seen from its first end, R.
+  struct Place {
+    double dx, dy;
+    double x, y;
+  };
+
+  Place place_at(const ConstPoints& position, Eigen::Index point, std::int32_t bond) const;
   template <GapMeasure kMeasure>
   Gap gap(const ConstPoints& position, Eigen::Index point, std::int32_t bond) const;
   Gap gap(const ConstPoints& position, Eigen::Index point, std::int32_t bond) const;

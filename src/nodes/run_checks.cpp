@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "measure/flags.hpp"
+#include "mechanics/body.hpp"
 #include "mechanics/body_motion.hpp"
 #include "nodes/conversions.hpp"
 
@@ -59,7 +60,7 @@ std::optional<double> share_of_velocity(const Scene& scene, std::size_t points) 
   const auto number = static_cast<double>(points);
   const auto of_second = scene.second_disk_points(number);
   if (!of_second) return std::nullopt;
-  return *of_second / (number + *of_second);
+  return reduced_mass(*of_second / number);
 }
 
 }  // namespace

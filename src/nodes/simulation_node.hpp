@@ -44,7 +44,6 @@ class SimulationNode {
 
  private:
   void simulate(const Scene& scene, const std::shared_ptr<const Composition>& composition);
-  /// `period`: R/c between outputs.
   Restitution publish_run(Run& run, const Scene& scene);
   void start(const Scene& scene, const Run& run);
   void publish_output(Run& run, ImpactAnalysis& analysis);

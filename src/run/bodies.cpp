@@ -8,6 +8,7 @@
 
 #include "lattice/input_error.hpp"
 #include "lattice/placement.hpp"
+#include "mechanics/body.hpp"
 #include "run/balance.hpp"
 #include "run/elastic_wall_body.hpp"
 #include "run/file_lattice.hpp"
@@ -151,11 +152,13 @@ BondForces bonds_of(const Scene& scene, const Bodies& bodies, double point_mass)
                                    BondForces(bodies.second->lattice, of_wall));
 }
 
+double second_mass(const Bodies& bodies) {
+  return static_cast<double>(bodies.second->lattice.points.rows()) /
+         static_cast<double>(bodies.disk.points.rows());
+}
+
 double reduced_mass(const Scene& scene, const Bodies& bodies) {
-  if (!scene.hits_disk()) return 1.0;
-  const double mass = static_cast<double>(bodies.second->lattice.points.rows()) /
-                      static_cast<double>(bodies.disk.points.rows());
-  return mass / (1.0 + mass);
+  return scene.hits_disk() ? reduced_mass(second_mass(bodies)) : 1.0;
 }
 
 Spectrum spectrum_of(const Scene& scene, const Bodies& bodies, double point_mass) {

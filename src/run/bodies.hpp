@@ -40,6 +40,9 @@ std::string key_of_bodies(const Scene& scene);
 /// gives them. `point_mass` in M.
 BondForces bonds_of(const Scene& scene, const Bodies& bodies, double point_mass);
 
+/// Of the second body, which the scene has, in M.
+double second_mass(const Bodies& bodies);
+
 /// Of the two bodies that collide, in M: 1 M against a wall.
 double reduced_mass(const Scene& scene, const Bodies& bodies);
 

@@ -56,8 +56,7 @@ void raise(double lowest, PointArray& disk) { disk.col(1) += lowest - disk.col(1
 /// as one point would hold the energy of the motion along y.
 void move_aside(const Scene& scene, const Bodies& bodies, const Repulsion& law, double lowest,
                 PointArray& disk) {
-  const double energy =
-      0.5 * reduced_mass(scene, bodies) * std::pow(scene.impact.normal_velocity(), 2);
+  const double energy = impact_energy(scene, reduced_mass(scene, bodies));
   disk.col(0) -= scene.impact.tangent() * (lowest - law.gap_of_energy(energy));
 }
 

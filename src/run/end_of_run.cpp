@@ -18,6 +18,8 @@ constexpr double kLeastVelocity = 1e-3;  // of that before
 
 SeparationEnd::SeparationEnd(const Scene& scene, const Composition& composition)
     : velocity_before_(composition.field.reduced_mass() * scene.impact.normal_velocity()),
+      negligible_energy_(negligible_fraction(scene) *
+                         impact_energy(scene, composition.field.reduced_mass())),
       negligible_fraction_(negligible_fraction(scene)),
       flight_(scene, composition.bodies) {}
 
@@ -26,7 +28,7 @@ bool SeparationEnd::reached(const System& system) {
   const ForceField& field = system.field();
   const Contact& contact = *field.contact();
   const double energy = contact.total_force().y() / contact.a();
-  if (energy > negligible_fraction_ * field.impact_energy(velocity_before_)) {
+  if (energy > negligible_energy_) {
     touched_ = true;
     return false;
   }

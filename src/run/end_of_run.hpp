@@ -36,6 +36,7 @@ class SeparationEnd : public EndOfRun {
 
  private:
   double velocity_before_;
+  double negligible_energy_;
   double negligible_fraction_;
   FreeFlight flight_;
   bool touched_ = false;

@@ -58,9 +58,13 @@ double moving_ends(const Scene& scene) {
   return 1.0;
 }
 
-double negligible_wall_energy(const Scene& scene) {
+double impact_energy(const Scene& scene, double reduced_mass) {
   const double v = scene.impact.normal_velocity();
-  return negligible_fraction(scene) * 0.5 * v * v;
+  return reduced_mass * 0.5 * v * v;
+}
+
+double negligible_wall_energy(const Scene& scene) {
+  return negligible_fraction(scene) * impact_energy(scene, 1.0);
 }
 
 double contact_time_at_most(double sound_speed, double velocity) {

@@ -18,6 +18,9 @@ PotentialWall repulsion(const Scene& scene, Eigen::Index points);
 /// Contact::moving_ends() of the scene's contact.
 double moving_ends(const Scene& scene);
 
+/// Along y at the start, in M c²; of two bodies with this reduced mass (M).
+double impact_energy(const Scene& scene, double reduced_mass);
+
 /// The energy of the potential wall that counts as none: numerics.error/100 of the kinetic energy
 /// along y at the start. In M c².
 double negligible_wall_energy(const Scene& scene);

@@ -66,10 +66,8 @@ double spacing_of(const Lattice& disk) {
 std::optional<FreeBody> other_disk(const Scene& scene, const Bodies& bodies) {
   if (!scene.hits_disk()) return std::nullopt;
   const Lattice& lattice = bodies.second->lattice;
-  const double mass =
-      static_cast<double>(lattice.points.rows()) / static_cast<double>(bodies.disk.points.rows());
   return FreeBody(lattice, *bodies.second_triangles, bodies.second_flexibility,
-                  scene.wall_material(), spacing_of(bodies.disk), mass);
+                  scene.wall_material(), spacing_of(bodies.disk), second_mass(bodies));
 }
 
 }  // namespace
@@ -121,10 +119,8 @@ bool FreeFlight::leaves_wall(const System& system, double fraction) {
   const double v = body.velocity.y();
   if (!(v > 0.0)) return false;
 
-  const EnergyLedger ledger = system.ledger();
-  const InnerMotion inner{ledger.kinetic_rotation + ledger.kinetic_internal + ledger.bonds,
-                          body.angular_momentum};
-  const Surface below = surface(system, ledger.wall_lattice);
+  const InnerMotion inner = inner_motion(system, disk, body);
+  const Surface below = surface(system);
   const WallAbove wall = wall_above(system, fraction * 0.5 * v * v);
   const double height = body.centre.y() - below.height;
   // With gravity g until the top of the flight, where v t − g t²/2 ≥ v t/2.
@@ -141,8 +137,10 @@ bool FreeFlight::leaves_wall(const System& system, double fraction) {
   return clearance(Eigen::ArrayXd::Constant(position.rows(), height - outermost), wall) >= 0.0;
 }
 
-FreeFlight::Surface FreeFlight::surface(const System& system, double energy) {
+FreeFlight::Surface FreeFlight::surface(const System& system) {
   if (!bodies_->second) return {0.0, 0.0};
+  const double energy = wall_kinetic_energy(system) +
+                        system.field().bond_energy(*system.field().second_body, system.state());
   if (scene_.wall.boundary == Boundary::kFixed) {
     return clamped_surface(elongation(energy_margin(energy), scene_.wall_material().k_a));
   }

@@ -74,7 +74,7 @@ class FreeFlight {
   };
   bool leaves_wall(const System& system, double fraction);
   bool disks_part(const System& system, double fraction);
-  Surface surface(const System& system, double energy);
+  Surface surface(const System& system);
   Surface clamped_surface(double elongation) const;
   Surface free_surface(const PointArray& shape, const ConstPoints& position, double energy);
   bool wall_rests(const System& system, double energy);

@@ -26,7 +26,7 @@ double contact_force(const Scene& scene) {
 
 /// The energy along y of the centres of mass of what comes together.
 double impact_energy(const Scene& scene, const ForceField& field) {
-  return field.impact_energy(field.reduced_mass() * scene.impact.normal_velocity());
+  return impact_energy(scene, field.reduced_mass());
 }
 
 /// Whether a point that comes into reach of a surface finds more than negligible energy there.

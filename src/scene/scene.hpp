@@ -63,7 +63,7 @@ struct Scene {
   struct Wall {
     WallKind kind = WallKind::kPotential;
     double a = 300.0;
-    std::optional<double> v0;   ///< empty: a R m c², half of it for an elastic wall, with m = M/N
+    std::optional<double> v0;   ///< empty: a R m c², half of it for points, with m = M/N
     std::optional<double> k_a;  ///< of the second body's bonds; empty: as in the disk
     std::optional<double> k_b;
     std::optional<double> eta;  ///< η*
