@@ -1,7 +1,7 @@
 #!/bin/bash
 # Installs and builds what is missing, then runs all tests.
 #   --strict              also the checks of the sources: compiler warnings as errors, clang-format,
-#                         clang-tidy and catkin_lint
+#                         clang-tidy, catkin_lint, and the fuzzers for a few seconds
 #   --package             also the Debian package in a fresh minimal system (mmdebstrap)
 #   --sanitize address    only the unit tests, with assertions, AddressSanitizer and UBSan
 #   --sanitize thread     only those of series on several threads, with ThreadSanitizer
@@ -12,11 +12,13 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . launch/setup.sh
 
 fuzzers="scene values lattice messages bag"
+fuzz_packages="clang libclang-rt-dev libomp-dev"
 
 all_tests() {
   build all -DCATKIN_ENABLE_TESTING=ON -DLATTICE_IMPACT_STRICT="$1"
   use_package
-  ctest --test-dir build --output-on-failure -j"$(nproc)"
+  # One more than there are processors: the tests of nodes wait most of the time.
+  ctest --test-dir build --output-on-failure -j"$(($(nproc) + 1))"
 }
 
 # build_beside NAME TARGETS CMAKE_OPTION… — in build/NAME, which shares nothing with build.
@@ -42,7 +44,7 @@ sanitize() {
 }
 
 fuzz() {
-  install clang libclang-rt-dev libomp-dev
+  install $fuzz_packages
   build_beside fuzz fuzzers -DLATTICE_IMPACT_SANITIZE=fuzzer-no-link,address,undefined \
     -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1"
   for name in $fuzzers; do
@@ -63,7 +65,7 @@ install $packages $test_packages
 case "${1:-}" in
   "") all_tests OFF ;;
   --strict)
-    install clang-format clang-tidy catkin-lint
+    install clang-format clang-tidy catkin-lint $fuzz_packages
     all_tests ON ;;
   --package)
     install mmdebstrap

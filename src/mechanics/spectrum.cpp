@@ -10,11 +10,11 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr int kMostIterations = 300;
+constexpr int kMostLanczosSteps = 300;
 constexpr int kLookInterval = 10;    // iterations
 constexpr double kTolerance = 1e-5;  // growth of the Ritz value between two looks
 constexpr double kMargin = 2e-3;
-constexpr double kRounding = 1e-13;
+constexpr double kBreakdown = 1e-13;
 
 Vector random_unit_vector(Eigen::Index size) {
   std::mt19937_64 random(1);
@@ -44,14 +44,14 @@ double largest_eigenvalue(Eigen::Index size, const Multiply& multiply) {
   std::vector<double> diagonal;
   std::vector<double> off_diagonal;
   double largest = 0.0;
-  for (int k = 1; k <= kMostIterations; ++k) {
+  for (int k = 1; k <= kMostLanczosSteps; ++k) {
     multiply(current, next);
     if (k > 1) next -= off_diagonal.back() * previous;
     diagonal.push_back(next.dot(current));
     next -= diagonal.back() * current;
     const double beta = next.norm();
 
-    const bool exhausted = beta <= kRounding * std::abs(diagonal.front());
+    const bool exhausted = beta <= kBreakdown * std::abs(diagonal.front());
     if (exhausted || k % kLookInterval == 0) {
       const double before = largest;
       largest = largest_ritz_value(diagonal, off_diagonal);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <lattice_impact/Acknowledged.h>
-#include <ros/callback_queue.h>
 
 #include <algorithm>
 #include <boost/function.hpp>
@@ -11,11 +10,6 @@
 #include "nodes/program.hpp"
 
 namespace impact {
-namespace {
-
-constexpr double kPoll = 0.1;  // s
-
-}  // namespace
 
 AnalysisNode::AnalysisNode(const AnalysisNodeParameters& parameters)
     : parameters_(parameters),
@@ -42,7 +36,7 @@ bool AnalysisNode::run() {
   subscribe<lattice_impact::RunStatus>("run_status");
 
   while (!asked_to_end() && !(parameters_.exit_when_done && analysis_.done())) {
-    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll));
+    serve_callbacks();
     if (analysis_.waits_for_missing() && source_.silence() > parameters_.patience) {
       analysis_.close();
     }
@@ -119,7 +113,7 @@ void AnalysisNode::wait_for_publishers_to_go() {
   const ros::WallTime start = ros::WallTime::now();
   while (!is_alone() && !asked_to_end() &&
          (ros::WallTime::now() - start).toSec() < parameters_.timeout) {
-    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll));
+    serve_callbacks();
   }
 }
 

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "nodes/has_second_body.hpp"
 #include "nodes/law_fit_yaml.hpp"
 #include "output/result_text.hpp"
 #include "output/text_table.hpp"
@@ -20,9 +21,7 @@
 namespace impact {
 namespace {
 
-const std::string kWall = "wall/";
-
-/// The topic of a message below the namespace, or below wall/.
+/// The topic of a message, of whichever body.
 template <class Message>
 constexpr const char* kTopic = nullptr;
 template <>
@@ -148,7 +147,7 @@ template <class Message>
 bool BagPipeline::is_a(const rosbag::MessageInstance& message) const {
   const std::string topic = kTopic<Message>;
   const std::string name = short_name(message);
-  return message.isType<Message>() && (name == topic || name == kWall + topic);
+  return message.isType<Message>() && (name == topic || name == kOfSecondBody + topic);
 }
 
 template <class Message>
@@ -220,7 +219,7 @@ void BagPipeline::report(const std::string& problem) {
 }
 
 bool BagPipeline::is_of_wall(const std::string& topic) const {
-  const std::string of_wall = full_name(kWall);
+  const std::string of_wall = full_name(kOfSecondBody);
   return topic.compare(0, of_wall.size(), of_wall) == 0;
 }
 

@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "nodes/has_second_body.hpp"
+
 namespace impact {
 
 DataStreams::Topics::Topics(Readers& readers, const std::string& prefix)
@@ -14,7 +16,7 @@ DataStreams::DataStreams(Readers& readers, Readers* wall_readers, Readers& scala
     : disk_(readers, ""),
       status_(readers.advertise<lattice_impact::RunStatus>("run_status", true)),
       scalars_(scalar_readers.advertise<lattice_impact::Scalars>("scalars")) {
-  if (wall_readers != nullptr) wall_.emplace(*wall_readers, "wall/");
+  if (wall_readers != nullptr) wall_.emplace(*wall_readers, kOfSecondBody);
 }
 
 bool DataStreams::heard(BodyTopic body) const {

@@ -8,7 +8,10 @@
 
 namespace impact {
 
-/// Whether a run with these terms has a second body, with topics of its own below wall/.
+/// What the topics of a second body begin with, below the simulation's namespace.
+inline const std::string kOfSecondBody = "wall/";
+
+/// Whether a run with these terms has a second body, with topics of its own.
 inline bool has_second_body(const std::vector<std::string>& terms) {
   return std::any_of(terms.begin(), terms.end(), [](const std::string& term) {
     return term == kElasticWallName || term == kDiskContactName;

@@ -15,15 +15,16 @@ using lattice_impact::RunStatus;
 constexpr const char* kStatus = "run_status";
 constexpr const char* kLattice = "lattice";
 constexpr const char* kScalars = "scalars";
-const std::string kWall = "wall/";
+
+bool is_lattice(const std::string& topic) {
+  return topic == kLattice || topic == kOfSecondBody + kLattice;
+}
+
+}  // namespace
 
 bool has_ended(const std::optional<RunStatus>& status) {
   return status && status->phase != RunStatus::RUNNING;
 }
-
-bool is_lattice(const std::string& topic) { return topic == kLattice || topic == kWall + kLattice; }
-
-}  // namespace
 
 void Inventory::add(const std::string& topic, std::uint32_t run) { ++runs_[run].counts[topic]; }
 
@@ -35,7 +36,7 @@ void Inventory::add(const RunStatus& status) {
 std::vector<std::string> Inventory::topics(const std::vector<std::string>& terms) {
   std::vector<std::string> topics{kLattice, "particle_states", "contact_forces"};
   if (has_second_body(terms)) {
-    for (std::size_t k = 0; k < 3; ++k) topics.push_back(kWall + topics[k]);
+    for (std::size_t k = 0; k < 3; ++k) topics.push_back(kOfSecondBody + topics[k]);
   }
   topics.insert(topics.end(), {kScalars, kStatus});
   return topics;

@@ -10,6 +10,9 @@
 
 namespace impact {
 
+/// The last word of a run was said.
+bool has_ended(const std::optional<lattice_impact::RunStatus>& status);
+
 /// The messages of a series that have come, run by run, against those that the simulation says it
 /// published. Topics go by their names below the simulation's namespace. The scalars of a run may
 /// be missing, since they are published only while somebody listens; once one has come, each must.

@@ -1,6 +1,7 @@
 #include "nodes/program.hpp"
 
 #include <fmt/format.h>
+#include <ros/callback_queue.h>
 #include <ros/network.h>
 #include <ros/ros.h>
 #include <xmlrpcpp/XmlRpcClient.h>
@@ -60,6 +61,11 @@ bool tell(int argc, char** argv, const NodeDescription& node) {
 }  // namespace
 
 bool asked_to_end() { return interrupted() || !ros::ok(); }
+
+void serve_callbacks() {
+  constexpr double kPoll = 0.1;  // s
+  ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll));
+}
 
 int run_node(int argc, char** argv, const NodeDescription& node, const std::function<int()>& body) {
   if (tell(argc, argv, node)) return 0;

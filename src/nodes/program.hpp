@@ -17,6 +17,9 @@ struct NodeDescription {
 /// finishes what it has begun and closes its files.
 bool asked_to_end();
 
+/// Hands over the messages that have come, after a short wait for the first.
+void serve_callbacks();
+
 /// Initialises ROS under the node's name, with signals handled by asked_to_end(), runs `body` and
 /// returns the exit code of the program: what `body` returns, 2 after an InputError, 1 after any
 /// other exception, without a master at once. An error is one line on stderr. With --help or

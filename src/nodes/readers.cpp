@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <lattice_impact/Acknowledged.h>
-#include <ros/callback_queue.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -10,13 +9,6 @@
 #include "nodes/program.hpp"
 
 namespace impact {
-namespace {
-
-constexpr double kPoll = 0.05;  // s
-
-void serve_callbacks() { ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll)); }
-
-}  // namespace
 
 Readers::Readers(ros::NodeHandle& node, const std::vector<std::string>& names) : node_(node) {
   for (const std::string& name : names) names_.push_back(node.resolveName(name));

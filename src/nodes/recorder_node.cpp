@@ -8,19 +8,18 @@
 #include <lattice_impact/Restitution.h>
 #include <lattice_impact/Scalars.h>
 #include <lattice_impact/Strain.h>
-#include <ros/callback_queue.h>
 
 #include <algorithm>
 #include <boost/function.hpp>
 #include <stdexcept>
 #include <type_traits>
 
+#include "nodes/has_second_body.hpp"
 #include "nodes/program.hpp"
 
 namespace impact {
 namespace {
 
-constexpr double kPoll = 0.1;      // s
 constexpr double kFarewell = 2.0;  // s of silence, after an interruption
 
 template <class Message>
@@ -59,8 +58,7 @@ RecorderNode::RecorderNode(const RecorderNodeParameters& parameters)
 void RecorderNode::run() {
   subscribers_.push_back(node_.subscribe("acknowledged", 0, &RecorderNode::take_acknowledgement,
                                          this, ros::TransportHints().tcpNoDelay()));
-  for (const char* body : {"", "wall/"}) {
-    const std::string prefix = body;
+  for (const std::string& prefix : {std::string(), kOfSecondBody}) {
     record<lattice_impact::Lattice>(prefix + "lattice");
     record<lattice_impact::ParticleStates>(prefix + "particle_states");
     record<lattice_impact::ContactForces>(prefix + "contact_forces");
@@ -72,7 +70,7 @@ void RecorderNode::run() {
   record<lattice_impact::RunStatus>("run_status");
 
   while (!is_done() && !nothing_more_comes()) {
-    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll));
+    serve_callbacks();
     acknowledge_finished_runs();
   }
   finish();
@@ -167,7 +165,7 @@ void RecorderNode::finish() {
   const ros::WallTime start = ros::WallTime::now();
   while (simulation_is_there() && !asked_to_end() &&
          (ros::WallTime::now() - start).toSec() < parameters_.timeout) {
-    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll));
+    serve_callbacks();
   }
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "mechanics/body.hpp"
 #include "mechanics/body_motion.hpp"
 #include "nodes/conversions.hpp"
+#include "nodes/mean.hpp"
 
 namespace impact {
 namespace {
@@ -45,10 +45,6 @@ std::string first_of(std::initializer_list<std::string> faults) {
   const auto* const fault = std::find_if(faults.begin(), faults.end(),
                                          [](const std::string& text) { return !text.empty(); });
   return fault == faults.end() ? std::string() : *fault;
-}
-
-double mean(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 bool differ(double a, double b, double tolerance) { return !(std::abs(a - b) <= tolerance); }

@@ -9,15 +9,12 @@
 
 #include "measure/flags.hpp"
 #include "nodes/checksum.hpp"
+#include "nodes/inventory.hpp"
 #include "scene/keys.hpp"
 #include "scene/scene_parameters.hpp"
 
 namespace impact {
 namespace {
-
-bool has_ended(const std::optional<lattice_impact::RunStatus>& status) {
-  return status && status->phase != lattice_impact::RunStatus::RUNNING;
-}
 
 /// The question of the run was answered.
 bool is_answered(const lattice_impact::RunStatus& status) {

@@ -81,7 +81,7 @@ lattice_impact::LawFit means_only(const std::string& name, const std::string& re
   return message;
 }
 
-double mean(const std::vector<double>& values) { return mean_point(0.0, values).y; }
+double mean_restitution(const std::vector<double>& values) { return mean_point(0.0, values).y; }
 
 }  // namespace
 
@@ -172,14 +172,16 @@ SeriesFits::DissipationTime SeriesFits::measure_dissipation(const Group& group,
     for (auto at = group.answers.rbegin(); at != group.answers.rend(); ++at) {
       const auto pair = undamped->second.answers.find(at->first);
       if (pair == undamped->second.answers.end()) continue;
-      const double excess = std::pow(mean(pair->second), 2) - std::pow(mean(at->second), 2);
+      const double excess =
+          std::pow(mean_restitution(pair->second), 2) - std::pow(mean_restitution(at->second), 2);
       return {dissipation_time(young_modulus, at->first, excess),
               fmt::format("loss in excess of that with η* = 0 at v = {} c", at->first)};
     }
   }
   const auto& [velocity, restitutions] = *group.answers.rbegin();
-  return {dissipation_time(young_modulus, velocity, 1.0 - std::pow(mean(restitutions), 2)),
-          fmt::format("all loss at v = {} c", velocity)};
+  return {
+      dissipation_time(young_modulus, velocity, 1.0 - std::pow(mean_restitution(restitutions), 2)),
+      fmt::format("all loss at v = {} c", velocity)};
 }
 
 std::string outcome(const lattice_impact::LawFit& law) {

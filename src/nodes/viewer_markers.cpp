@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "nodes/mean.hpp"
 #include "nodes/viewer_colours.hpp"
 #include "nodes/viewer_shapes.hpp"
 
@@ -34,12 +35,6 @@ constexpr double kTextHeight = 0.12;     // R
 
 Vector2d place(const ParticleStates& states, std::size_t point) {
   return {states.x[point], states.y[point]};
-}
-
-double mean(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
 }
 
 double kinetic_energy(const Lattice& lattice, const ParticleStates& states) {

@@ -1,7 +1,6 @@
 #include "nodes/viewer_node.hpp"
 
 #include <geometry_msgs/WrenchStamped.h>
-#include <ros/callback_queue.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include "nodes/program.hpp"
@@ -9,7 +8,6 @@
 namespace impact {
 namespace {
 
-constexpr double kPoll = 0.1;          // s
 constexpr double kHighestRate = 60.0;  // pictures/s
 constexpr std::uint32_t kQueue = 4;    // messages
 
@@ -37,7 +35,7 @@ ViewerNode::ViewerNode()
 void ViewerNode::run() {
   ros::WallRate rate(kHighestRate);
   while (!asked_to_end()) {
-    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll));
+    serve_callbacks();
     const auto snapshot = assembly_.take();
     if (!snapshot) continue;
     publish(*snapshot);

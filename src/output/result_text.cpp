@@ -75,19 +75,19 @@ bool is_nothing(const Entry& entry, double value) {
           key == "rotation" || key == "hold_torque");
 }
 
-using Line = std::vector<std::string>;
+using Cells = std::vector<std::string>;
 
 /// Left-aligned columns.
-std::string aligned_left(const std::vector<Line>& lines) {
+std::string aligned_left(const std::vector<Cells>& lines) {
   std::vector<std::size_t> widths;
-  for (const Line& line : lines) {
+  for (const Cells& line : lines) {
     widths.resize(std::max(widths.size(), line.size()), 0);
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       widths[i] = std::max(widths[i], display_width(line[i]));
     }
   }
   std::string text;
-  for (const Line& line : lines) {
+  for (const Cells& line : lines) {
     std::string row = " ";
     for (std::size_t i = 0; i < line.size(); ++i)
       row += (i == 1 ? "  " : " ") + padded(line[i], widths[i]);
@@ -101,7 +101,7 @@ std::string in_si(double value, const char* unit, const std::optional<SiUnits>& 
   return measure ? fmt::format("= {:.4g} {}", measure->value, measure->unit) : "";
 }
 
-Line line_of(const Entry& entry, const Result& result, const std::optional<SiUnits>& si) {
+Cells line_of(const Entry& entry, const Result& result, const std::optional<SiUnits>& si) {
   const double value = result.number(entry.key);
   const double error = error_of(result, entry.key);
   return {entry.label, digits(value, error),
@@ -196,7 +196,7 @@ std::string title(const Scene& scene) {
 
 std::string result_block(const Result& result, const Scene& scene,
                          const std::optional<SiUnits>& si) {
-  std::vector<Line> lines;
+  std::vector<Cells> lines;
   if (si) {
     for (const Entry& entry : given(scene.kind)) lines.push_back(line_of(entry, result, si));
   }
@@ -205,7 +205,7 @@ std::string result_block(const Result& result, const Scene& scene,
       lines.push_back(line_of(entry, result, si));
   }
   std::string text = aligned_left(lines);
-  std::vector<Line> flags;
+  std::vector<Cells> flags;
   for (const std::string& flag : result.flags()) {
     const FlagText* const text = text_of_flag(flag);
     flags.push_back({"flag", flag + ":", text == nullptr ? "" : text->meaning});

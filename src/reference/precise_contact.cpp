@@ -10,19 +10,21 @@ namespace impact {
 namespace {
 
 using Real = long double;
-using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+using RealVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using Array = Eigen::Array<Real, Eigen::Dynamic, 2>;
-using Matrix = Eigen::SparseMatrix<Real>;
+using RealMatrix = Eigen::SparseMatrix<Real>;
 using Vector2 = Eigen::Matrix<Real, 2, 1>;
 using Matrix2 = Eigen::Matrix<Real, 2, 2>;
 
-constexpr int kMostSteps = 60;
+constexpr int kMostIterations = 60;
 /// The longest way of a point in one step, in ranges 1/a of the wall.
 constexpr Real kLongestWay = 2.0L;
 constexpr Real kGoodChange = 1e-15L;  // relative, of ξ
 
 /// x of all points before y of all.
-Vector stacked(const Array& array) { return Eigen::Map<const Vector>(array.data(), array.size()); }
+RealVector stacked(const Array& array) {
+  return Eigen::Map<const RealVector>(array.data(), array.size());
+}
 
 class Equilibrium {
  public:
@@ -43,11 +45,11 @@ class Equilibrium {
   void step() {
     evaluate();
     factorise();
-    const Vector direction = stacked(direction_);
-    const Vector response = factors_.solve(direction);
-    const Vector free = factors_.solve(force_);
+    const RealVector direction = stacked(direction_);
+    const RealVector response = factors_.solve(direction);
+    const RealVector free = factors_.solve(force_);
     const Real turned = direction.dot(stacked(displacement_) + free);
-    const Vector way = free - turned / direction.dot(response) * response;
+    const RealVector way = free - turned / direction.dot(response) * response;
     const Real longest = way.tail(points()).cwiseAbs().maxCoeff() * disk_.wall_a;
     const Real part = longest > kLongestWay ? kLongestWay / longest : 1.0L;
     displacement_ += part * Eigen::Map<const Array>(way.data(), points(), 2);
@@ -111,7 +113,7 @@ class Equilibrium {
   /// equivalent places.
   void evaluate() {
     entries_.clear();
-    force_ = Vector::Zero(2 * points());
+    force_ = RealVector::Zero(2 * points());
     for (const Bond& bond : disk_.lattice.bonds) add_bond(bond);
     add(0, 0, 0, 0, static_cast<Real>(disk_.law.k_a));
     const Real a = disk_.wall_a;
@@ -121,12 +123,12 @@ class Equilibrium {
       force_(points() + i) += push - share;
       add(i, 1, i, 1, a * push);
     }
-    const Vector direction = stacked(direction_);
+    const RealVector direction = stacked(direction_);
     force_ -= direction.dot(force_) / direction.squaredNorm() * direction;
   }
 
   void factorise() {
-    Matrix matrix(2 * points(), 2 * points());
+    RealMatrix matrix(2 * points(), 2 * points());
     matrix.setFromTriplets(entries_.begin(), entries_.end());
     factors_.compute(matrix);
     if (factors_.info() != Eigen::Success) throw std::runtime_error("no factors of the stiffness");
@@ -138,9 +140,9 @@ class Equilibrium {
   Array direction_;                               ///< of the held rotation
   Eigen::Array<Real, Eigen::Dynamic, 1> height_;  ///< over the lowest point of the reference
   Real shift_ = 0.0L;                             ///< at which the wall's force is exp(−a y)
-  Vector force_;
+  RealVector force_;
   std::vector<Eigen::Triplet<Real>> entries_;
-  Eigen::SimplicialLDLT<Matrix> factors_;
+  Eigen::SimplicialLDLT<RealMatrix> factors_;
 };
 
 }  // namespace
@@ -148,7 +150,7 @@ class Equilibrium {
 PreciseStrain precise_strain(const PressedDisk& disk, const PointArray& near_rest) {
   Equilibrium equilibrium(disk, near_rest);
   Real last_change = std::numeric_limits<Real>::infinity();
-  for (int k = 0; k < kMostSteps; ++k) {
+  for (int k = 0; k < kMostIterations; ++k) {
     const Real before = equilibrium.strain();
     equilibrium.step();
     const Real strain = equilibrium.strain();

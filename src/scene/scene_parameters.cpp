@@ -9,12 +9,12 @@ namespace impact {
 namespace {
 
 using P = Parameter<Scene>;
-using Table = std::vector<P>;
+using Keys = std::vector<P>;
 /// Rounding of positions, 10⁻¹⁶ R, is then less than 10⁻⁷ of the elongations of the bonds.
 constexpr double kLeastStrain = 1e-6;
 
 /// c. Rounding of positions then changes the energy by less than 10⁻² of the impact's.
-constexpr double kLeastVelocity = 1e-9;
+constexpr double kSlowest = 1e-9;
 
 /// Degrees. Beyond it the disk flies along the wall rather than against it.
 constexpr double kSteepestAngle = 85.0;
@@ -48,7 +48,7 @@ bool has_second_body(const Scene& scene) {
   return has_elastic_wall(scene) || has_second_disk(scene);
 }
 
-Table scene_keys() {
+Keys scene_keys() {
   return {
       choice<Scene, SceneKind>(
           "scene",
@@ -63,7 +63,7 @@ Table scene_keys() {
           "of all randomness: placement and orientation", [](auto& s) -> auto& { return s.seed; })};
 }
 
-Table disk_keys() {
+Keys disk_keys() {
   return {
       whole<Scene>(
           "disk.points", 3, 1000000,
@@ -95,7 +95,7 @@ Table disk_keys() {
                          [](auto& s) -> auto& { return s.disk.orientation; }))};
 }
 
-Table material_keys() {
+Keys material_keys() {
   return {real<Scene>(
               "material.k_a", "M c²/R²", {0.0, 1e6, false}, "linear stiffness of a bond",
               [](auto& s) -> auto& { return s.material.k_a; }),
@@ -109,7 +109,7 @@ Table material_keys() {
                              [](auto& s) -> auto& { return s.material.eta; }))};
 }
 
-Table wall_keys() {
+Keys wall_keys() {
   return {only(is_moved, choice<Scene, WallKind>(
                              "wall.type",
                              {{"potential", WallKind::kPotential},
@@ -129,12 +129,12 @@ Table wall_keys() {
                              [](auto& s) -> auto& { return s.wall.v0; }))};
 }
 
-Table where(const Condition& condition, Table table) {
+Keys where(const Condition& condition, Keys table) {
   for (P& parameter : table) parameter.applies = condition;
   return table;
 }
 
-Table second_body_keys() {
+Keys second_body_keys() {
   return where(has_second_body,
                {real_or_auto<Scene>(
                     "wall.k_a", "M c²/R²", {0.0, 1e6, false},
@@ -159,7 +159,7 @@ Table second_body_keys() {
                     [](auto& s) -> auto& { return s.wall.file; })});
 }
 
-Table second_disk_keys() {
+Keys second_disk_keys() {
   return where(
       has_second_disk,
       {real<Scene>(
@@ -171,7 +171,7 @@ Table second_disk_keys() {
            [](auto& s) -> auto& { return s.wall.mirrored; })});
 }
 
-Table elastic_wall_keys() {
+Keys elastic_wall_keys() {
   return where(
       has_elastic_wall,
       {whole<Scene>(
@@ -205,7 +205,7 @@ Table elastic_wall_keys() {
            [](auto& s) -> auto& { return s.wall.reset_interval; })});
 }
 
-Table task_keys() {
+Keys task_keys() {
   return {only(in(SceneKind::kContact), real<Scene>(
                                             "load.P", "M c²/R", {0.0, 1.0, false},
                                             "contact: compression, spread evenly over the points",
@@ -217,7 +217,7 @@ Table task_keys() {
                    [](auto& s) -> auto& { return s.load.hold_rotation; })),
           only(in(SceneKind::kCollision),
                real<Scene>(
-                   "impact.velocity", "c", {kLeastVelocity, 1.0},
+                   "impact.velocity", "c", {kSlowest, 1.0},
                    "collision: speed of the centre of mass at the start, of two disks "
                    "against each other; "
                    "slower ones lose their energy in rounding",
@@ -272,7 +272,7 @@ std::string adaptive_names() {
   return fmt::format("{}", fmt::join(names, " or "));
 }
 
-Table numerics_keys() {
+Keys numerics_keys() {
   return {choice<Scene, IntegratorKind>(
               "numerics.integrator", integrator_names(),
               "method (integrators.md); auto: the fastest that gives the answer to "
@@ -302,8 +302,8 @@ Table numerics_keys() {
                              [](auto& s) -> auto& { return s.output.period; }))};
 }
 
-Table make_table() {
-  Table table;
+Keys make_table() {
+  Keys table;
   for (const auto& part :
        {scene_keys(), disk_keys(), material_keys(), wall_keys(), second_body_keys(),
         elastic_wall_keys(), second_disk_keys(), task_keys(), numerics_keys()}) {

@@ -24,7 +24,7 @@ constexpr Eigen::Index kMostPoints = 20000;
 /// A step of a full bundle of searches for equilibrium takes as long as a step of this many single
 /// ones.
 constexpr std::size_t kFewestSearches = 3;
-constexpr int kCheckSteps = 64;
+constexpr int kStepsBetweenChecks = 64;
 /// Time of a step of a bundle, in steps of one run, as test/bench/compare_lammps and bench_runs
 /// measure it.
 constexpr double kBundleStep = 5.5;
@@ -288,7 +288,7 @@ class SideBySide {
                       [&](LaneRun* lane_run) { send_on(*lane_run, bundle); });
         in_bundle_.erase(leaving, in_bundle_.end());
       }
-      if (step % kCheckSteps == 0 && stop_()) return false;
+      if (step % kStepsBetweenChecks == 0 && stop_()) return false;
     }
     waiting_.erase(key);
     return true;

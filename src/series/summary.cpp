@@ -25,7 +25,7 @@ using MeanAndError =
     acc::accumulator_set<double, acc::stats<acc::tag::mean, acc::tag::error_of<acc::tag::mean>>>;
 using Parameters = std::vector<Parameter<Scene>>;
 using Group = std::vector<const Row*>;
-using Line = std::vector<std::string>;
+using Cells = std::vector<std::string>;
 
 std::vector<std::string> main_results(SceneKind kind) {
   if (kind == SceneKind::kCollision) return {"restitution", "contact_duration"};
@@ -69,14 +69,14 @@ Parameters swept_parameters(const std::vector<Row>& rows) {
   return swept;
 }
 
-Line texts(const Parameters& parameters, const Scene& scene) {
-  Line line;
+Cells texts(const Parameters& parameters, const Scene& scene) {
+  Cells line;
   for (const Parameter<Scene>& parameter : parameters) line.push_back(text(parameter, scene));
   return line;
 }
 
-Line short_texts(const Parameters& parameters, const Scene& scene) {
-  Line line = texts(parameters, scene);
+Cells short_texts(const Parameters& parameters, const Scene& scene) {
+  Cells line = texts(parameters, scene);
   std::transform(line.begin(), line.end(), line.begin(), short_text);
   return line;
 }
@@ -90,7 +90,7 @@ double result(const Row& row, const std::string& key) {
   return found == row.results.end() ? std::nan("") : found->second;
 }
 
-void add_mean(const Group& group, const std::string& key, Line& line) {
+void add_mean(const Group& group, const std::string& key, Cells& line) {
   MeanAndError sample;
   for (const Row* row : group) {
     if (std::isfinite(result(*row, key))) sample(result(*row, key));
@@ -104,7 +104,7 @@ void add_mean(const Group& group, const std::string& key, Line& line) {
 /// The rows with the same values, in the order of their first ones.
 std::vector<Group> groups(const std::vector<Row>& rows, const Parameters& parameters) {
   std::vector<Group> groups;
-  std::map<Line, std::size_t> places;
+  std::map<Cells, std::size_t> places;
   for (const Row& row : rows) {
     const auto place = places.try_emplace(texts(parameters, row.scene), groups.size()).first;
     if (place->second == groups.size()) groups.emplace_back();
@@ -113,8 +113,8 @@ std::vector<Group> groups(const std::vector<Row>& rows, const Parameters& parame
   return groups;
 }
 
-Line header(const Parameters& parameters) {
-  Line line;
+Cells header(const Parameters& parameters) {
+  Cells line;
   for (const Parameter<Scene>& parameter : parameters) line.push_back(parameter.key);
   return line;
 }
@@ -125,7 +125,7 @@ TextTable table_of_runs(const std::vector<Row>& rows, const Parameters& paramete
   table[0].insert(table[0].end(), results.begin(), results.end());
   table[0].push_back("flags");
   for (const Row& row : rows) {
-    Line line = short_texts(parameters, row.scene);
+    Cells line = short_texts(parameters, row.scene);
     for (const std::string& key : results) {
       line.push_back(number(result(row, key), result(row, key + "_error")));
     }
@@ -144,7 +144,7 @@ TextTable table_of_means(const std::vector<Row>& rows, const Parameters& paramet
   }
   table[0].push_back("flagged");
   for (const Group& group : groups(rows, parameters)) {
-    Line line = short_texts(parameters, group.front()->scene);
+    Cells line = short_texts(parameters, group.front()->scene);
     line.push_back(std::to_string(group.size()));
     for (const std::string& key : main_results(rows)) add_mean(group, key, line);
     line.push_back(std::to_string(std::count_if(

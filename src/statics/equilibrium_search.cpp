@@ -12,7 +12,7 @@ namespace impact {
 namespace {
 
 /// A load that crushes the disk, P = 1, takes 1200.
-constexpr std::uint64_t kMostIterations = 2000;
+constexpr std::uint64_t kMostSteps = 2000;
 constexpr double kLongestMove = 3.0;          // in ranges 1/a of the wall
 constexpr double kSufficientDecrease = 1e-4;  // of the slope (Armijo)
 constexpr int kMostHalvings = 40;
@@ -78,7 +78,7 @@ void EquilibriumSearch::go(const PointArray& step) {
   ++state_.step;
   state_.time += step_size();
   const bool advanced = line_search(step);
-  ends_ = !advanced || found() || steps() == kMostIterations;
+  ends_ = !advanced || found() || steps() == kMostSteps;
 }
 
 /// Goes along `step` as far as energy falls enough or, where energy is lost in rounding, as the

@@ -13,7 +13,7 @@
 namespace impact {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kMostWorkOfAnswer = 1e9;  // points times force evaluations
 constexpr double kKnown = 0.1;             // of the wanted error, what the reference may err by
 /// Times the error of a poor reference: what an answer must be off to be certainly wrong.
@@ -61,7 +61,7 @@ std::string cause_of(const std::string& status) {
 }  // namespace
 
 AccuracyTrial try_scene(const Scene& scene) {
-  AccuracyTrial trial{AccuracyTrial::kAnswered, "", kNaN, kNaN, kNaN, kNaN};
+  AccuracyTrial trial{AccuracyTrial::kAnswered, "", kUnknown, kUnknown, kUnknown, kUnknown};
   try {
     Experiment experiment(scene);
     perform(experiment);
@@ -99,13 +99,13 @@ std::string name_of(Verdict verdict) {
 }
 
 double true_over_estimated(const AccuracyCheck& check) {
-  if (!check.answered()) return kNaN;
+  if (!check.answered()) return kUnknown;
   const double ratio = check.true_error() / check.trial.estimated_error;
   const double doubt = check.reference.error / check.trial.estimated_error;
   const double low = ratio - doubt;
   const double high = ratio + doubt;
   const bool outside = high < 1.0 / kFactor || low > kFactor;
-  return outside || (is_within(low) && is_within(high)) ? ratio : kNaN;
+  return outside || (is_within(low) && is_within(high)) ? ratio : kUnknown;
 }
 
 EstimateQuality estimate_quality(const std::vector<AccuracyCheck>& checks) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMostWorkOfScene = 5e6;
 constexpr double kLargestStrain = 0.3;
-constexpr double kRounding = 1e-15;  // R, of a strain
+constexpr double kStrainRounding = 1e-15;  // R, of a strain
 
 class Draw {
  public:
@@ -117,7 +117,7 @@ bool is_sensible_impact(const Scene& scene) {
 
 bool is_sensible_contact(const Scene& scene) {
   const double load = scene.load.p / scene.material.k_a;
-  return load <= kLargestStrain && scene.numerics.error * load >= kRounding;
+  return load <= kLargestStrain && scene.numerics.error * load >= kStrainRounding;
 }
 
 bool can_be_made(const Scene& scene) {

@@ -23,7 +23,7 @@
 namespace impact {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnknownError = std::numeric_limits<double>::infinity();
 /// Of a run, points times force evaluations.
 constexpr double kMostWorkOfReference = 3e8;
 constexpr std::uint64_t kMostInnerSteps = 10000;  // where some ten are to be expected
@@ -98,7 +98,7 @@ ReferenceAnswer converged(const std::string& method, double wanted_error,
                           const std::function<double(int)>& value) {
   constexpr int kMostValues = 4;
   double last = value(0);
-  double error = kInfinity;
+  double error = kUnknownError;
   for (int k = 1; k < kMostValues && !(error <= kGoodEnough * wanted_error); ++k) {
     const double next = value(k);
     error = std::abs(last / next - 1.0);
@@ -182,7 +182,7 @@ ReferenceAnswer reference_answer(const Scene& scene) {
   try {
     return scene.kind == SceneKind::kContact ? contact_reference(scene) : impact_reference(scene);
   } catch (const std::exception& failure) {
-    return {std::nan(""), kInfinity, {}, failure.what()};
+    return {std::nan(""), kUnknownError, {}, failure.what()};
   }
 }
 

@@ -1,18 +1,21 @@
 #!/usr/bin/python3
-"""The analysis node notices every message that does not reach it."""
+"""The analysis node notices every message that does not reach it, or not as it was."""
 
 import math
 import os
+import random
 import signal
+import struct
 import tempfile
 import unittest
 
+import genpy
 import rospy
 import rostest
 from lattice_impact.msg import ContactForces, Lattice, ParticleStates, RunStatus
 
-from programs import (PACKAGE, SMALL_COLLISION, TIMEOUT, analysis, bag_messages, impact,
-                      poll_until, random_namespace, simulation)
+from programs import (IMPACT_RESULTS, PACKAGE, SMALL_COLLISION, TIMEOUT, analysis, bag_messages, bits,
+                      impact, poll_until, random_namespace, simulation)
 from results import Results
 
 TOPICS = {'lattice': Lattice, 'particle_states': ParticleStates, 'contact_forces': ContactForces,
@@ -27,6 +30,35 @@ def record_messages():
         with simulation(namespace, 'collision', SMALL_COLLISION, bag=bag) as node:
             node.wait()
         return {name: bag_messages(bag, namespace + '/' + name) for name in TOPICS}
+
+
+def as_bytes(kind, content):
+    """A message that goes over the wire as these bytes."""
+    class Bytes(kind):
+        def serialize(self, buffer):
+            buffer.write(content)
+    return Bytes()
+
+
+def is_message(kind, content):
+    try:
+        kind().deserialize(content)
+    except (genpy.DeserializationError, struct.error):
+        return False
+    return True
+
+
+def damaged(message, chance):
+    """Cut, or with one byte changed. Bytes of lengths stay: roscpp asks for the memory that a
+    message says it needs before it hands it to anybody."""
+    kind, content = type(message), bytearray(bits(message))
+    if chance.random() < 0.2:
+        return as_bytes(kind, content[:chance.randrange(len(content))])
+    while True:
+        changed = bytearray(content)
+        changed[chance.randrange(len(content))] ^= chance.randrange(1, 256)
+        if is_message(kind, changed):
+            return as_bytes(kind, changed)
 
 
 class Sender:
@@ -67,14 +99,18 @@ class GapTest(unittest.TestCase):
 
     def analyse(self, messages, exit_code, patience=TIMEOUT):
         """The last result, and what the node complained of."""
+        result, code, complaint = self.outcome(messages, patience)
+        self.assertEqual(code, exit_code, complaint)
+        return result, complaint
+
+    def outcome(self, messages, patience):
         with Results(self.namespace) as results:
             with analysis(self.namespace, wait_for=[rospy.get_name()], patience=patience,
                           exit_when_done=True) as node:
                 with Sender(self.namespace) as sender:
                     sender.send(messages)
                     result = results.final_restitution()
-                self.assertEqual(node.wait(), exit_code, node.stderr())
-                return result, node.stderr()
+                return result, node.wait(), node.stderr()
 
     def assert_incomplete(self, result):
         self.assertTrue(result.ended)
@@ -89,6 +125,25 @@ class GapTest(unittest.TestCase):
         self.assertEqual(result.restitution,
                          impact('collision', SMALL_COLLISION)['restitution'])
         self.assertEqual(complaint, '')
+
+    def test_damaged_messages(self):
+        truth, _ = self.analyse(self.sent, exit_code=0)
+        seed = random.randrange(2 ** 32)
+        for chance in (random.Random(seed + k) for k in range(8)):
+            self.namespace = random_namespace()
+            messages = {name: list(of_topic) for name, of_topic in self.sent.items()}
+            for _ in range(chance.randrange(1, 4)):
+                of_topic = messages[chance.choice(list(TOPICS))]
+                place = chance.randrange(len(of_topic))
+                of_topic[place] = damaged(of_topic[place], chance)
+            result, code, complaint = self.outcome(messages, patience=1.0)
+            told = 'seed {}, exit code {}: {}'.format(seed, code, complaint)
+            self.assertIn(code, (0, 1), told)
+            if code == 0:
+                for name in IMPACT_RESULTS:
+                    self.assertEqual(getattr(result, name), getattr(truth, name), told)
+            else:
+                self.assertTrue(complaint)
 
     def test_state_missing(self):
         result, complaint = self.analyse(self.without('particle_states', 100), exit_code=1)
