@@ -78,12 +78,28 @@ def check_recording():
         refuse('bag: {} cannot be written into'.format(folder))
 
 
-def check_scene():
-    check = subprocess.run(
-        [find_node('lattice_impact', 'impact')[0], '--check', str(argument('scene')),
-         *yaml.safe_load(argument('assignments'))], stderr=subprocess.PIPE, universal_newlines=True)
+def check_by(program, *values):
+    check = subprocess.run([find_node('lattice_impact', program)[0], '--check', *values],
+                           stderr=subprocess.PIPE, universal_newlines=True)
     if check.returncode != 0:
         refuse(check.stderr.strip().partition(': ')[2])
+
+
+def check_scene():
+    check_by('impact', str(argument('scene')), *yaml.safe_load(argument('assignments')))
+
+
+def check_parameters(node, *names):
+    check_by(node, *('{}={}'.format(name, argument(name)) for name in names))
+
+
+def check_rate():
+    try:
+        good = 0 < float(argument('rate')) < float('inf')
+    except ValueError:
+        good = False
+    if not good:
+        refuse('rate: got {}, allowed: a number above 0'.format(argument('rate')))
 
 
 def check_replay():
@@ -114,6 +130,10 @@ if is_about_to_run():
     check_rviz()
     if 'scene' in arguments:
         check_scene()
+        check_parameters('simulation_node', 'max_rate', 'timeout', 'publish_clock')
+        check_parameters('analysis_node', 'young_modulus', 'poisson_ratio', 'timeout')
         check_recording()
     else:
+        check_rate()
+        check_parameters('analysis_node', 'young_modulus', 'poisson_ratio', 'linger', 'wait_for')
         check_replay()

@@ -10,7 +10,8 @@ int main(int argc, char** argv) {
       "of contact and impact to a series.",
       "  in   lattice, particle_states, contact_forces, run_status\n"
       "  out  strain, restitution, law_fit, acknowledged\n",
-      impact::parameter_list(impact::analysis_node_parameters(), {})};
+      impact::parameter_list(impact::analysis_node_parameters(), {}),
+      [](const auto& keys) { impact::check_parameters(impact::analysis_node_parameters(), keys); }};
   return impact::run_node(argc, argv, description, [] {
     impact::AnalysisNodeParameters parameters;
     impact::read_parameters(impact::analysis_node_parameters(), impact::private_parameters(),

@@ -21,4 +21,12 @@ FlatTree take_keys(FlatTree& keys, const std::vector<Parameter<T>>& table) {
   return taken;
 }
 
+/// Only to see whether they can be read.
+/// @throw InputError as read_parameters().
+template <class T>
+void check_parameters(const std::vector<Parameter<T>>& table, const FlatTree& keys) {
+  T parameters;
+  read_parameters(table, keys, parameters);
+}
+
 }  // namespace impact

@@ -14,6 +14,8 @@
 
 #include "lattice/input_error.hpp"
 #include "output/interruption.hpp"
+#include "scene/keys.hpp"
+#include "scene/short_keys.hpp"
 #include "scene/version.hpp"
 
 namespace impact {
@@ -51,11 +53,27 @@ bool tell(int argc, char** argv, const NodeDescription& node) {
     }
     if (argument == "--help" || argument == "-h") {
       fmt::print("{}\n\nTopics, below the node's namespace:\n{}{}{}", node.purpose, node.topics,
-                 node.parameters.empty() ? "" : "\nPrivate parameters:\n", node.parameters);
+                 node.parameters.empty()
+                     ? ""
+                     : "\nPrivate parameters (--check key=value … only says whether they can be "
+                       "read):\n",
+                 node.parameters);
       return true;
     }
   }
   return false;
+}
+
+/// Whether the arguments ask for it.
+bool check(int argc, char** argv, const NodeDescription& node) {
+  if (argc < 2 || std::string(argv[1]) != "--check" || !node.check) return false;
+  FlatTree keys;
+  for (int i = 2; i < argc; ++i) {
+    const auto& [key, value] = parse_assignment(argv[i]);
+    keys[key].reset(parse_value(key, value));
+  }
+  node.check(keys);
+  return true;
 }
 
 }  // namespace
@@ -70,6 +88,7 @@ void serve_callbacks() {
 int run_node(int argc, char** argv, const NodeDescription& node, const std::function<int()>& body) {
   if (tell(argc, argv, node)) return 0;
   try {
+    if (check(argc, argv, node)) return 0;
     find_master(argc, argv);
     ros::init(argc, argv, node.name, ros::init_options::NoSigintHandler);
     take_interruptions();

@@ -9,7 +9,8 @@ int main(int argc, char** argv) {
       "  in   lattice, particle_states, contact_forces, run_status, those of wall/, scalars,\n"
       "       strain, restitution, law_fit, acknowledged\n"
       "  out  acknowledged\n",
-      impact::parameter_list(impact::recorder_node_parameters(), {})};
+      impact::parameter_list(impact::recorder_node_parameters(), {}),
+      [](const auto& keys) { impact::check_parameters(impact::recorder_node_parameters(), keys); }};
   return impact::run_node(argc, argv, description, [] {
     impact::RecorderNodeParameters parameters;
     impact::read_parameters(impact::recorder_node_parameters(), impact::private_parameters(),

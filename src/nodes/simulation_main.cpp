@@ -14,7 +14,10 @@ int main(int argc, char** argv) {
       "       also wall/lattice, wall/particle_states, wall/contact_forces\n"
       "  in   acknowledged\n",
       impact::parameter_list(impact::simulation_node_parameters(), {}) +
-          "\nand the keys of a scene: impact collision --keys shows those of collision.yaml.\n"};
+          "\nand the keys of a scene: impact collision --keys shows those of collision.yaml.\n",
+      [](const auto& keys) {
+        impact::check_parameters(impact::simulation_node_parameters(), keys);
+      }};
   return impact::run_node(argc, argv, description, [] {
     impact::FlatTree keys = impact::private_parameters();
     impact::SimulationNodeParameters parameters;

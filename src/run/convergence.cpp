@@ -8,6 +8,8 @@ namespace {
 
 constexpr double kBelow = 0.25;  // of a power
 constexpr double kAbove = 0.5;
+/// Of the last correction, which counts in full as long as no fourth run confirms it.
+constexpr double kConfirmed = 0.15;
 
 /// (v₁ − v₂)/(v₂ − v₃) of values with the error hᵖ.
 double ratio_of_order(const Sample& coarse, const Sample& middle, const Sample& fine, double p) {
@@ -65,7 +67,7 @@ ConvergedValue converged(const std::vector<Sample>& runs, std::optional<int> ord
     if (!shows_order(finest[-3], finest[-2], finest[-1], *order)) return plain;
     const ConvergedValue before = extrapolated(finest[-3], finest[-2], finest[-1], *order);
     const double gain = std::pow(finest[-1].step / finest[0].step, *order) - 1.0;
-    limit.error = std::max(limit.error, std::abs(limit.value - before.value) / gain);
+    limit.error = std::max(kConfirmed * limit.error, std::abs(limit.value - before.value) / gain);
   }
   return limit.error <= plain.error ? limit : plain;
 }

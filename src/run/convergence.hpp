@@ -41,8 +41,9 @@ ConvergedValue compared(const std::vector<Sample>& runs, bool scatter);
 /// With an order p: the finest three extrapolated(), if they show it. They do if the observed order
 /// is p − 0.25 … p + 0.5, or p + 1.5 … p + 2.5 where the error of order p happens to vanish. Of
 /// four runs the coarser three have to show it too, since one set of three may do so by chance. The
-/// error is then no less than that of limits which themselves converge with order p. If the order
-/// is not shown, or if its error is smaller: the finest three compared().
+/// error is then that of limits which themselves converge with order p, and no less than 0.15 times
+/// that of the finest three alone. If the order is not shown, or if its error is smaller: the
+/// finest three compared().
 ConvergedValue converged(const std::vector<Sample>& runs, std::optional<int> order);
 
 }  // namespace impact

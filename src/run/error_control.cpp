@@ -151,7 +151,7 @@ bool ErrorControl::accepts(const FinishedImpact& run) {
   if (starts_too_near(run)) return false;
   runs_.push_back({resolution_, run.measured});
   note_irregularities(run);
-  if (runs_.size() < runs_needed()) {
+  if (runs_.size() < runs_needed() || !planned_.empty()) {
     go_on(kRefinement);
     return false;
   }

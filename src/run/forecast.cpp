@@ -54,7 +54,7 @@ Spectrum typical_spectrum(const Scene& scene, double points) {
 
 /// Steps of a run, and the time of one in steps of undamped velocity Verlet.
 struct Work {
-  double steps;
+  double steps;  ///< of all runs
   double cost_of_step;
 };
 
@@ -66,13 +66,20 @@ double rate_of_wall_force(const Scene& scene) {
          estimated_sound_speed(scene.material.k_a);
 }
 
-Work work_of_run(const Scene& scene, const Rates& rates, double time) {
+/// The steps of all runs over those of the last one, which this is.
+double all_runs(const Scene& scene, const Resolution& last) {
+  const bool is_controlled = scene.kind == SceneKind::kCollision && !scene.numerics.are_given();
+  return is_controlled ? steps_of_all_runs(last) : 1.0;
+}
+
+Work work_of(const Scene& scene, const Rates& rates, double time) {
   const IntegratorKind integrator = scene.numerics.integrator;
   const bool stiff = traits_of(integrator).stiff;
   if (is_adaptive(integrator) && !stiff) {
     const double fastest =
         std::sqrt(rates.lattice.omega_squared + rates.wall) + rates.lattice.gamma;
-    return {time * fastest / kAdaptiveStep, cost_of_step(scene, integrator)};
+    return {all_runs(scene, Resolution()) * time * fastest / kAdaptiveStep,
+            cost_of_step(scene, integrator)};
   }
   const Resolution resolution =
       scene.numerics.step
@@ -82,7 +89,7 @@ Work work_of_run(const Scene& scene, const Rates& rates, double time) {
   if (is_adaptive(integrator)) {
     cost += kCostOfRadian * resolution.step * rate_of_wall_force(scene);
   }
-  return {time / resolution.step, cost};
+  return {all_runs(scene, resolution) * time / resolution.step, cost};
 }
 
 std::string text_of(double seconds) {
@@ -143,17 +150,14 @@ Forecast forecast(const Scene& scene, Eigen::Index points, Eigen::Index second_p
                                static_cast<int>(points), estimated_sound_speed(scene.material.k_a));
   double time = expected_time(
       scene, points, gap_at_start(scene, wall.gap_of_energy(negligible_wall_energy(scene))));
-  double runs = 1.0;
   if (scene.kind == SceneKind::kCollision) {
     time += kFlight / expected.sound_speed;
-    if (!scene.numerics.are_given()) runs = kStepsOfAllRuns;
   } else {
     time *= kPartOfRelaxation;
   }
-  const Work work = work_of_run(scene, expected, time);
+  const Work work = work_of(scene, expected, time);
   const double of_step = kStep + kStepOfPoint * static_cast<double>(points + second_points);
-  const double steps = runs * work.steps;
-  return {steps, steps * work.cost_of_step * of_step};
+  return {work.steps, work.steps * work.cost_of_step * of_step};
 }
 
 std::string text(const Forecast& forecast) {

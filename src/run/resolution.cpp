@@ -32,18 +32,26 @@ constexpr double kRestTolerance = 1e-3;
 /// Estimated relative error of e, extrapolated from steps of order 2, over (a v h)⁴ of the
 /// shortest, as measured on the default disk at 0.05 and 0.1 c without damping, and at 0.05 c with
 /// η* = 1 … 100.
-constexpr double kExtrapolatedError = 2.4e-4;
-constexpr double kExtrapolatedDampedError = 3e-5;
+struct ExtrapolationError {
+  double three_runs;
+  double four_runs;  ///< of which the fourth confirms the others
+};
+constexpr ExtrapolationError kErrorWithoutDamping{1e-4, 3e-5};
+constexpr ExtrapolationError kErrorWithDamping{3e-5, 2e-5};
 /// Of a v h, for the shortest of three steps of order 6: their errors are so small that they need
 /// not be extrapolated. And the error that comparing the three then gives, over (a v h)⁶, as
 /// measured on the default disk at 0.05 c.
 constexpr double kLongestWayOfOrder6 = 0.6;
 constexpr double kComparedError = 1e-8;
 
-/// Runs of an answer before the one that is expected to be the last, and how much coarser the first
-/// of them is.
-constexpr int kLeadingRuns = 2;
-constexpr double kCoarsest = kRefinement * kRefinement;
+/// The steps of these runs, each over the next. Where the stability limit allows it, longer ones
+/// make the first runs cheaper.
+constexpr double kLeastCoarsening = 1.12;
+constexpr double kMostCoarsening = 1.3;
+
+/// Of numerics.error: what an answer of three runs of order 2 aims at, and what others do.
+constexpr double kAimUnconfirmed = 0.1;
+constexpr double kAim = 0.5;
 
 /// Steps are multiples of this, R/c, or whole parts of it; of methods whose longest step is longer
 /// than it, whole parts of twice as much.
@@ -72,37 +80,56 @@ double longest_step(const Scene& scene, IntegratorKind integrator, const Rates& 
   return stable;
 }
 
-/// The step that is likely to be needed.
-double expected_step(const Scene& scene, IntegratorKind integrator, const Rates& rates) {
-  const double longest = longest_step(scene, integrator, rates);
-  if (scene.kind != SceneKind::kCollision) return round_step_down(longest, kUnit);
-  const double wall_rate = scene.wall.a * scene.impact.approach_velocity();
-  const double wanted = 0.5 * scene.numerics.error;
-  double way = 0.0;
-  if (order_of(integrator) == 2) {
-    const double coefficient = scene.is_damped() ? kExtrapolatedDampedError : kExtrapolatedError;
-    way = std::min(kLongestResolvedWay / kCoarsest, std::pow(wanted / coefficient, 1.0 / 4.0));
-  } else {
-    way = std::min(kLongestWayOfOrder6, std::pow(wanted / kComparedError, 1.0 / 6.0));
+/// Of the shortest of so many steps, in ranges of the wall.
+double longest_way(const Scene& scene, IntegratorKind integrator, int runs) {
+  const double error = scene.numerics.error;
+  if (order_of(integrator) != 2) {
+    return std::min(kLongestWayOfOrder6, std::pow(kAim * error / kComparedError, 1.0 / 6.0));
   }
-  const double step = std::min(longest / kCoarsest, way / wall_rate);
-  return round_step_down(step, unit_of(integrator));
+  const ExtrapolationError& of = scene.is_damped() ? kErrorWithDamping : kErrorWithoutDamping;
+  const double way = runs > 3 ? std::pow(kAim * error / of.four_runs, 1.0 / 4.0)
+                              : std::pow(kAimUnconfirmed * error / of.three_runs, 1.0 / 4.0);
+  return std::min(way, kLongestResolvedWay / std::pow(kLeastCoarsening, runs - 1));
+}
+
+/// The last of so many runs of an answer, as it is likely to be needed.
+Resolution last_of(int runs, const Scene& scene, IntegratorKind integrator, const Rates& rates) {
+  const int leading = runs - 1;
+  const double wall_rate = scene.wall.a * scene.impact.approach_velocity();
+  double longest = longest_step(scene, integrator, rates);
+  const double step = std::min(longest / std::pow(kLeastCoarsening, leading),
+                               longest_way(scene, integrator, runs) / wall_rate);
+  const double rounded = dividing_resets(scene, round_step_down(step, unit_of(integrator)));
+  if (order_of(integrator) == 2) longest = std::min(longest, kLongestResolvedWay / wall_rate);
+  const double coarsening = std::min(kMostCoarsening, std::pow(longest / rounded, 1.0 / leading));
+  return {integrator, rounded, 0.0, 0.0, leading, coarsening};
+}
+
+/// Of all runs of an answer, over a time of 1 R/c.
+double cost_of(const Scene& scene, const Resolution& last) {
+  return steps_of_all_runs(last) * cost_of_step(scene, last.integrator) / last.step;
 }
 
 Resolution fixed_resolution(const Scene& scene, IntegratorKind integrator, const Rates& rates) {
-  return {integrator, dividing_resets(scene, expected_step(scene, integrator, rates))};
+  if (scene.kind != SceneKind::kCollision) {
+    const double longest = round_step_down(longest_step(scene, integrator, rates), kUnit);
+    return {integrator, dividing_resets(scene, longest)};
+  }
+  const Resolution of_three = last_of(3, scene, integrator, rates);
+  if (order_of(integrator) != 2) return of_three;
+  const Resolution of_four = last_of(4, scene, integrator, rates);
+  return cost_of(scene, of_four) < cost_of(scene, of_three) ? of_four : of_three;
 }
 
 Resolution automatic_resolution(const Scene& scene, const Rates& rates) {
-  const auto cost = [&](IntegratorKind integrator) {
-    return cost_of_step(scene, integrator) / expected_step(scene, integrator, rates);
-  };
-  std::vector<std::pair<double, IntegratorKind>> choice;
+  std::vector<Resolution> choice;
   for (const auto& method : kIntegrators) {
     if (!is_automatic(method, scene.is_damped())) continue;
-    choice.emplace_back(cost(method.kind), method.kind);
+    choice.push_back(fixed_resolution(scene, method.kind, rates));
   }
-  return fixed_resolution(scene, std::min_element(choice.begin(), choice.end())->second, rates);
+  return *std::min_element(choice.begin(), choice.end(), [&](const auto& a, const auto& b) {
+    return cost_of(scene, a) < cost_of(scene, b);
+  });
 }
 
 double given_step(const Scene& scene, IntegratorKind integrator, const Spectrum& lattice) {
@@ -215,22 +242,28 @@ std::optional<Resolution> better_integrator(const Scene& scene, const Resolution
     if (method.order <= order_of(resolution.integrator)) continue;
     Resolution first = fixed_resolution(scene, method.kind, rates);
     first.lift = resolution.lift;
-    const double cost_of_all = kStepsOfAllRuns * cost_of_step(scene, method.kind) / first.step;
-    if (cost_of_all > least_cost) continue;
-    least_cost = cost_of_all;
+    const double cost = cost_of(scene, first);
+    if (cost > least_cost) continue;
+    least_cost = cost;
     better = first;
   }
   return better;
 }
 
+double steps_of_all_runs(const Resolution& last) {
+  double steps = 1.0;
+  for (int k = 1; k <= last.leading_runs; ++k) steps += std::pow(last.coarsening, -k);
+  return steps;
+}
+
 std::vector<Resolution> leading_up_to(const Scene& scene, const Resolution& finest) {
   std::vector<Resolution> runs{finest};
-  for (int k = 0; k < kLeadingRuns; ++k) {
+  for (int k = 0; k < finest.leading_runs; ++k) {
     Resolution coarser = runs.back();
     if (is_adaptive(finest.integrator)) {
-      coarser.tolerance *= std::pow(kRefinement, kToleranceOrder);
+      coarser.tolerance *= std::pow(finest.coarsening, kToleranceOrder);
     } else {
-      coarser.step *= kRefinement;
+      coarser.step *= finest.coarsening;
     }
     runs.push_back(coarser);
   }

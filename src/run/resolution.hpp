@@ -11,13 +11,20 @@
 
 namespace impact {
 
+/// The steps of successive runs of an answer are shorter by this factor at least, unless planned.
+constexpr double kRefinement = 1.2;
+
 /// How finely time is resolved.
 struct Resolution {
   IntegratorKind integrator = IntegratorKind::kVerlet;
   double step = 1.0;       ///< R/c; of an adaptive integrator: the interval at which it reports
   double tolerance = 0.0;  ///< of an adaptive integrator
   double lift = 0.0;       ///< R, how much higher than in the composition a collision starts
+  int leading_runs = 2;    ///< that come before it where it is the last one of an answer, …
+  double coarsening = kRefinement;  ///< … each with a step so many times that of the next
 };
+
+/// Whether they make the same run.
 
 inline bool operator==(const Resolution& a, const Resolution& b) {
   return a.integrator == b.integrator && a.step == b.step && a.tolerance == b.tolerance &&
@@ -60,10 +67,8 @@ double cost_of_step(const Scene& scene, IntegratorKind integrator);
 constexpr int kToleranceOrder = 4;
 /// Of a v h: the step up to which methods show their order.
 constexpr double kLongestResolvedWay = 0.5;
-/// The steps of successive runs of an answer are shorter by this factor at least.
-constexpr double kRefinement = 1.2;
-/// Steps of the three runs of an answer over those of the last one.
-constexpr double kStepsOfAllRuns = 1.0 + 1.0 / kRefinement + 1.0 / (kRefinement * kRefinement);
+/// Steps of all runs of an answer over those of the last one, which this is.
+double steps_of_all_runs(const Resolution& last);
 
 /// The resolution that the scene gives or, where it leaves it open, the one that is likely to be
 /// needed.
@@ -71,15 +76,16 @@ constexpr double kStepsOfAllRuns = 1.0 + 1.0 / kRefinement + 1.0 / (kRefinement 
 /// `integrator: auto` in a scene of motion: of the methods that the scene can have (without damping
 /// velocity Verlet and Blanes–Moan; with damping velocity Verlet, implicit and extrapolated
 /// damping) the one of least cost, force evaluations and linear solutions counted, at the step that
-/// is likely to give the wanted error. In a collision two more runs come before, with steps 1.2
-/// and 1.2² times as long. The longest of the three is at most 0.96 of the stability limit, the
-/// wall at its expected stiffest counted, and 0.1 R/c. For methods of order 2 it is at most 0.5/(a
-/// v), so that the three show their order, and the error of the extrapolated e, as it is estimated,
-/// is 2.4·10⁻⁴ (a v h)⁴ of the shortest, with damping 3·10⁻⁵ (a v h)⁴. For those of order 6 the
-/// shortest is at most 0.6/(a v), and the three compared give an error of 10⁻⁸ (a v h)⁶
-/// (coefficients as measured on impacts of the default disk on the
-/// potential wall); half of numerics.error is aimed at. The shortest step is a multiple or a whole
-/// part of 0.02 R/c, so that the usual output periods are multiples of it.
+/// is likely to give the wanted error. In a collision two or three more runs come before, each
+/// with a step 1.12 to 1.3 times that of the next. The longest is at most 0.96 of the stability
+/// limit, the wall at its expected stiffest counted, and 0.1 R/c. For methods of order 2 it is at
+/// most 0.5/(a v), so that the runs show their order, and the error of the extrapolated e, as it is
+/// estimated, is some 10⁻⁴ (a v h)⁴ of the shortest (the coefficients stand with the code). Three
+/// runs aim at a twentieth of numerics.error, since above a tenth a fourth one has to confirm them;
+/// four at half of it; the cheaper plan is taken. For methods of order 6 the shortest step is at
+/// most 0.6/(a v), and three runs compared give an error of 10⁻⁸ (a v h)⁶, half of numerics.error.
+/// The shortest step is a multiple or a whole part of 0.02 R/c, so that the usual output periods
+/// are multiples of it.
 ///
 /// Where velocities are reset at intervals, the step, given or not, is shortened to divide them.
 /// @throw InputError when a given step exceeds the stability limit of the lattice and its damping.

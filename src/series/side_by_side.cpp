@@ -184,7 +184,9 @@ class SideBySide {
     double longest = 0.0;
     for (const Candidate& candidate : candidates_) {
       const double steps = expected_steps(*candidate.composition);
-      const double runs = scenes_[candidate.place].numerics.are_given() ? 1.0 : kStepsOfAllRuns;
+      const double runs = scenes_[candidate.place].numerics.are_given()
+                              ? 1.0
+                              : steps_of_all_runs(candidate.composition->resolution);
       all += runs * steps;
       longest = std::max(longest, steps);
     }

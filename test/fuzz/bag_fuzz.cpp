@@ -171,6 +171,21 @@ std::string without_order(const YAML::Node& document) {
   return text;
 }
 
+/// Whether the results are the true ones. Scalars are published only while somebody listens, so
+/// that a run may lack all of them; and results are recorded only where somebody computed them.
+bool are_the_same(const YAML::Node& results, const YAML::Node& true_results,
+                  const std::string& name_space) {
+  YAML::Node found = YAML::Clone(results);
+  YAML::Node truth = YAML::Clone(true_results);
+  const YAML::Node& recorded = results["topics"];
+  for (const char* topic : {"/strain", "/restitution", "/law_fit"}) {
+    if (!recorded[name_space + topic]) truth["topics"].remove(name_space + topic);
+  }
+  found["topics"].remove(name_space + "/scalars");
+  truth["topics"].remove(name_space + "/scalars");
+  return without_order(found) == without_order(truth);
+}
+
 /// The numbers of each run.
 using Numbers = std::map<std::string, std::map<std::string, std::string>>;
 
@@ -195,7 +210,7 @@ Numbers numbers_of(const YAML::Node& document) {
 void judge(const Reading& reading, const std::string& name_space, const YAML::Node& truth) {
   const auto found = reading.documents.find(name_space);
   if (found == reading.documents.end()) return;
-  if (reading.problems.empty() && without_order(found->second) != without_order(truth)) {
+  if (reading.problems.empty() && !are_the_same(found->second, truth, name_space)) {
     fail(fmt::format("not a word, and not the true results:\n{}", YAML::Dump(found->second)));
   }
   Numbers true_numbers = numbers_of(truth);

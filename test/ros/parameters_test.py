@@ -13,7 +13,7 @@ from rospkg import RosPack
 
 from master_witness import MasterWitness
 from programs import (PACKAGE, SMALL_COLLISION, Process, analysis, launch, node, program,
-                      random_namespace, simulation)
+                      random_namespace, scene_file, simulation)
 
 
 class ParametersTest(unittest.TestCase):
@@ -178,17 +178,32 @@ class ParametersTest(unittest.TestCase):
                                    self.namespace, bag=bag)
 
     def test_launch_with_a_value_that_a_node_refuses(self):
+        bag = os.path.join(self.folder, 'run.bag')
+        for name, value in (('max_rate', 'high'), ('timeout', -1), ('publish_clock', 'often'),
+                            ('young_modulus', 'soft'), ('poisson_ratio', 2)):
+            self.assert_launch_refuses('collision.launch', '{}: got '.format(name), bag=bag,
+                                       **{name: value})
+        for name, value in (('rate', 0), ('linger', 'long'), ('wait_for', 'a b')):
+            self.assert_launch_refuses('replay.launch', '{}: got '.format(name), bag=bag,
+                                       **{name: value})
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_launch_of_a_node_that_fails(self):
         """Its line, an end in order, and no master left over."""
         port = '11399'
+        scene = os.path.join(self.folder, 'scene.yaml')
+        with open(scene_file('absorbing_wall')) as file:
+            text = file.read()
+        with open(scene, 'w') as file:
+            file.write(text.replace('threshold: 0.2', 'threshold: 0.02'))
         for _ in range(3):
-            with Process(['roslaunch', '-p', port, PACKAGE, 'collision.launch', 'max_rate:=high',
-                          'bag:=' + os.path.join(self.folder, 'run.bag')]) as process:
+            with Process(['roslaunch', '-p', port, PACKAGE, 'absorbing_wall.launch',
+                          'record:=false', 'N:=28', 'scene:=' + scene]) as process:
                 process.wait()
-                self.assertIn('max_rate: got "high"', process.stderr())
+                self.assertIn('the energy balance broke', process.stderr())
                 self.assertNotIn('RLException', process.stderr())
         with self.assertRaises(OSError):
             socket.create_connection(('localhost', int(port)))
-        self.assertEqual(os.listdir(self.folder), [])
 
     def test_simulated_time_without_a_clock(self):
         rospy.set_param('/use_sim_time', True)

@@ -54,6 +54,26 @@ TEST(Extrapolated, DoubtsTheLimitByTwiceItsLastCorrection) {
   EXPECT_NEAR(extrapolated(runs[0], runs[1], runs[2], 2).error, 2.0 * correction, 1e-14);
 }
 
+/// A fourth run that agrees takes most of the doubt away: what it leaves is 0.15 of it here, where
+/// the limits of both sets of three are exact.
+TEST(Converged, DoubtsAConfirmedLimitLess) {
+  const auto runs = runs_of([](double h) { return h * h + 5.0 * std::pow(h, 4); }, 4);
+  const double alone = converged({runs.begin() + 1, runs.end()}, 2).error;
+  EXPECT_NEAR(converged(runs, 2).error, 0.15 * alone, 1e-3 * alone);
+}
+
+/// Limits that go on changing are in doubt by more than they are off; 10⁻⁷ is above what is left of
+/// the doubt of h⁴.
+TEST(Converged, DoubtsALimitThatChanges) {
+  for (const double sixth : {-1e4, -1e3, 1e3, 1e4}) {
+    const auto runs =
+        runs_of([=](double h) { return h * h + 5.0 * std::pow(h, 4) + sixth * std::pow(h, 6); }, 4);
+    const auto result = converged(runs, 2);
+    EXPECT_GT(result.error, true_error(result)) << sixth;
+    EXPECT_LT(result.error, 10.0 * true_error(result) + 1e-7) << sixth;
+  }
+}
+
 /// Errors of A h: A (h_coarsest − h_finest) over h_coarsest/h_finest − 1 is that of the finest.
 TEST(Compared, OfFirstOrderIsThreeTimesTheError) {
   const auto runs = runs_of([](double h) { return 0.1 * h; }, 4);
