@@ -161,21 +161,30 @@ TEST(FirstResolution, OfAnAdaptiveIntegratorHasItsTolerance) {
   EXPECT_EQ(first(scene, {8100.0, 12.4}).tolerance, 1e-3);
 }
 
-/// The coarsest of the runs of an answer, too, is stable and short enough to show its order.
+/// The coarsest of the runs of an answer, too, is stable and short enough to show its order; and
+/// each is far enough from the next.
 TEST(LeadingUpTo, BeginsWithAStepThatIsShortEnough) {
-  const Spectrum spectrum{8100.0, 0.0};
-  for (const double velocity : {0.001, 0.05, 0.3}) {
-    Scene scene = scene_with(IntegratorKind::kVerlet, velocity, 0.0);
-    scene.numerics.error = 1e-2;
-    const auto last = first(scene, spectrum);
-    const auto runs = leading_up_to(scene, last);
-    ASSERT_EQ(runs.size(), 3U);
-    EXPECT_DOUBLE_EQ(runs[1].step, last.coarsening * runs[0].step);
-    EXPECT_DOUBLE_EQ(runs[2].step, last.coarsening * runs[1].step);
-    EXPECT_NEAR(steps_of_all_runs(last),
-                last.step * (1.0 / runs[0].step + 1.0 / runs[1].step + 1.0 / runs[2].step), 1e-14);
-    EXPECT_LE(runs[2].step, 0.96 * step_limit(IntegratorKind::kVerlet, 8100.0, 0.0));
-    EXPECT_LE(300.0 * velocity * runs[2].step, 0.5 + 1e-12);
+  for (const double omega_squared : {2000.0, 4000.0, 8100.0}) {
+    for (const double velocity : {0.001, 0.01, 0.05, 0.3}) {
+      for (const double error : {1e-2, 1e-5, 1e-7}) {
+        Scene scene = scene_with(IntegratorKind::kVerlet, velocity, 0.0);
+        scene.numerics.error = error;
+        const auto last = first(scene, {omega_squared, 0.0});
+        EXPECT_GE(last.coarsening, 1.12 * (1.0 - 1e-12));
+        EXPECT_LE(last.coarsening, 1.3);
+        const auto runs = leading_up_to(scene, last);
+        ASSERT_EQ(runs.size(), last.leading_runs + 1U);
+        double steps = 0.0;
+        for (std::size_t k = 0; k < runs.size(); ++k) {
+          const double next = k == 0 ? last.step : last.coarsening * runs[k - 1].step;
+          EXPECT_DOUBLE_EQ(runs[k].step, next);
+          steps += last.step / runs[k].step;
+        }
+        EXPECT_NEAR(steps_of_all_runs(last), steps, 1e-13);
+        EXPECT_LE(runs.back().step, 0.96 * step_limit(IntegratorKind::kVerlet, omega_squared, 0.0));
+        EXPECT_LE(300.0 * velocity * runs.back().step, 0.5 + 1e-12);
+      }
+    }
   }
 }
 
