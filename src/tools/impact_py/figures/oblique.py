@@ -56,21 +56,22 @@ def draw_single(ax, impacts):
         ax.plot(explained, rows["gain"], **{**marker_style(colour, marker), "markersize": 2.5})
         largest = max(largest, np.max(np.abs(explained), initial=0))
     ax.plot([-largest, largest], [-largest, largest], color=GREY, linewidth=0.6, zorder=0)
-    ax.set_xlabel("$e(\\alpha, \\gamma, e_0) - e_0$ of the slope")
+    ax.set_xlabel("$e - e_0$ by the slope")
     ax.set_ylabel("$e - e_0$")
     label_panel(ax, "single impacts on stiff walls", 0.04, 0.93)
 
 
-def legend(walls, refused):
+def legend(walls, refused, is_partial):
     """The legend's entries of walls and lines."""
     entries = [Line2D([], [], label=rf"$k_a = {wall[0]:g}$, ${wall[1]:g}\,c$",
                       **marker_style(colour, marker)) for wall, colour, marker in walls]
     entries += [Line2D([], [], label=rf"${wall[0]:g}$, ${wall[1]:g}\,c$: all refused", linestyle="")
                 for wall in refused]
-    entries.append(Line2D([], [], label="some lattices refused",
-                          **marker_style(GREY, "o", False)))
+    if is_partial:
+        entries.append(Line2D([], [], label="some lattices refused",
+                              **marker_style(GREY, "o", False)))
     lines = (("--", "(a) straight, $v\\,\\cos\\gamma$"), (":", "(b) chord of the contact"),
-             ("-", "(c) of the slope"), (":", "(c) of the chord"))
+             ("-", "(c) by the slope"), (":", "(c) by the chord"))
     return entries + [Line2D([], [], color=GREY, linestyle=line, linewidth=0.8, label=label)
                       for line, label in lines]
 
@@ -99,6 +100,7 @@ def figure_oblique(folder):
     above.axhline(1, color=GREY, linewidth=0.6, zorder=0)
     for ax in (slopes, gains):
         ax.axhline(0, color=GREY, linewidth=0.6, zorder=0)
+    is_partial = np.any((table["refused"] > 0) & np.isfinite(table["restitution"]))
     letter(axes.flat)
-    legend_beside(slopes, legend(walls, refused))
+    legend_beside(slopes, legend(walls, refused, is_partial))
     save_both(figure, folder, "oblique")
