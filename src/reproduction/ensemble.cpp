@@ -19,13 +19,6 @@ std::vector<DataPoint> points_of(const Ensemble& ensemble) {
   return points;
 }
 
-std::vector<std::string> flags_of(const Row& row) {
-  std::vector<std::string> flags;
-  std::istringstream text(row.flags);
-  for (std::string flag; std::getline(text, flag, ';');) flags.push_back(flag);
-  return flags;
-}
-
 Ensemble without(const Ensemble& ensemble, std::size_t lattice) {
   Ensemble others = ensemble;
   others.y.erase(others.y.begin() + static_cast<std::ptrdiff_t>(lattice));
@@ -33,6 +26,13 @@ Ensemble without(const Ensemble& ensemble, std::size_t lattice) {
 }
 
 }  // namespace
+
+std::vector<std::string> flags_of(const Row& row) {
+  std::vector<std::string> flags;
+  std::istringstream text(row.flags);
+  for (std::string flag; std::getline(text, flag, ';');) flags.push_back(flag);
+  return flags;
+}
 
 Ensemble ensemble(const std::vector<Row>& rows, const std::function<double(const Scene&)>& abscissa,
                   const std::string& result) {

@@ -15,6 +15,9 @@ struct Ensemble {
   std::vector<std::vector<double>> y;  ///< by lattice, then by x
 };
 
+/// The names of the flags of a run.
+std::vector<std::string> flags_of(const Row& row);
+
 /// The curves of one result over one abscissa, one for each seed. A lattice of which a run has no
 /// sound answer (is_sound()) is left out.
 Ensemble ensemble(const std::vector<Row>& rows, const std::function<double(const Scene&)>& abscissa,

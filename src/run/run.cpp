@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "mechanics/simulation.hpp"
@@ -18,6 +19,8 @@ constexpr std::uint64_t kCheckSteps = 64;
 constexpr std::uint64_t kAlarmSteps = 4;
 constexpr int kMostHalvings = 20;
 constexpr double kManyHops = 0.01;  // of the impact's energy
+constexpr std::uint64_t kSlopeSteps = 4;
+constexpr double kPushed = 0.01;  // of the largest force on a point
 
 /// The force above which a point is listed as in contact: 10⁻⁶ of the load, or of M v c/R.
 double contact_force(const Scene& scene) {
@@ -116,6 +119,7 @@ Run::Run(const Scene& scene, std::shared_ptr<const Composition> composition,
       flags_(composition_->bodies->flags),
       integrator_(resolution.integrator) {
   if (scene.kind != SceneKind::kCollision) return;
+  if (scene.impact.slides() && scene.has_elastic_wall()) slope_.emplace(system_->time());
   const double energy = impact_energy(scene, system_->field());
   const EnergyLedger ledger = system_->ledger();
   contact_energy_before_ = ledger.wall;
@@ -137,6 +141,10 @@ State Run::state_of(const Body& body) const {
           body.rows_of(state().velocity)};
 }
 
+double Run::surface_slope() const {
+  return slope_ ? slope_->mean() : std::numeric_limits<double>::quiet_NaN();
+}
+
 double Run::tail_error() const {
   const double v = system_->field().first_body().rows_of(state().velocity).col(1).mean();
   const double before = scene_.impact.gap ? 0.0 : contact_energy_before_;
@@ -145,6 +153,7 @@ double Run::tail_error() const {
 
 void Run::observe_step() {
   recorder_.add_step(*system_);
+  if (slope_ && system_->steps() % kSlopeSteps == 0) note_slope();
   if (system_->halvings() > kMostHalvings) {
     throw RunFailure("the wall grew too stiff: the step was halved more than 20 times");
   }
@@ -185,6 +194,18 @@ void Run::look() {
   monitor_.check(*system_);
   note_folds();
   beside_wall_ = beside_wall_ || is_beside_wall(scene_, *system_);
+}
+
+void Run::note_slope() {
+  const Contact& contact = *system_->field().contact();
+  const double force = contact.total_force().y();
+  if (!(force > contact_force(scene_))) {
+    slope_->add(system_->time(), 0.0, 0.0);
+    return;
+  }
+  const PointArray& position = state().position;
+  const auto pushed = contact.reactions(position, kPushed * contact.largest_force());
+  slope_->add(system_->time(), force, chord_slope(pushed, position));
 }
 
 void Run::note_other_rests() {

@@ -2,11 +2,13 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "measure/flags.hpp"
 #include "measure/impact_analysis.hpp"
+#include "measure/surface_slope.hpp"
 #include "mechanics/system.hpp"
 #include "run/compose.hpp"
 #include "run/contact_recorder.hpp"
@@ -112,6 +114,11 @@ class Run {
   /// disks M is the reduced mass and v the velocity against each other.
   double restitution_bound() const { return restitution_bound_; }
 
+  /// Of the surface of an elastic wall under an oblique impact, from edge to edge of the contact:
+  /// the SurfaceSlope of its chord_slope(). NaN of other runs. Forces of less than 1 % of the
+  /// largest on a point of the disk do not count; looked at every fourth step.
+  double surface_slope() const;
+
   /// Relative error of e, at the end of a collision, for what the wall's potential holds at the
   /// start, U₀ (unless impact.gap is given), and may hold after the end, numerics.error/100 of M
   /// v′²/2: their sum over M v′², v′ the velocity of the centre of mass along y after the impact.
@@ -120,6 +127,7 @@ class Run {
  private:
   void give_up();
   void look();
+  void note_slope();
   void note_folds();
   void note_other_rests();
   void end_motion();
@@ -132,6 +140,7 @@ class Run {
   std::function<void(Run&, const std::function<bool()>&)> drive_;
   EnergyMonitor monitor_;
   ContactRecorder recorder_;
+  std::optional<SurfaceSlope> slope_;  ///< of an oblique impact on an elastic wall
   double contact_energy_before_ = 0.0;
   double restitution_bound_ = 0.0;
   PointArray correction_;  ///< of a contact, at the end

@@ -43,6 +43,9 @@ std::vector<Quantity> impact_quantities(const Scene& scene) {
       number("restitution_of_run_error", [](const auto& e) { return e.impact().error_of_run; }));
   list.push_back(
       number("restitution_bound", [](const auto& e) { return e.run().restitution_bound(); }));
+  if (scene.impact.slides() && scene.has_elastic_wall()) {
+    list.push_back(number("surface_slope", [](const auto& e) { return e.run().surface_slope(); }));
+  }
   list.push_back(energy("dissipated", &EnergyLedger::dissipated));
   if (scene.has_elastic_wall()) {
     list.push_back(energy("wall_energy", &EnergyLedger::wall_lattice));

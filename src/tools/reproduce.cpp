@@ -1,4 +1,4 @@
-// The figures of the paper over an ensemble of lattices, as CSV and as plots.
+// The figures of the paper and oblique impacts, over an ensemble of lattices, as CSV and as plots.
 
 #include <algorithm>
 #include <set>
@@ -8,6 +8,7 @@
 #include "output/interruption.hpp"
 #include "output/output_folder.hpp"
 #include "output/program.hpp"
+#include "reproduction/oblique.hpp"
 #include "reproduction/plotting.hpp"
 #include "reproduction/reproduction.hpp"
 
@@ -17,6 +18,11 @@ namespace {
 void reproduce(const std::string& figure, const Reproduction& reproduction) {
   const OutputFolder output(reproduction.folder);
   take_interruptions();
+  if (figure == "oblique") {
+    reproduce_oblique(reproduction);
+    break_off_if_interrupted();
+    plot(reproduction.folder, figure);
+  }
   const bool all = figure == "all";
   const Material material = measure_material(reproduction);
   break_off_if_interrupted();
@@ -33,15 +39,19 @@ void reproduce(const std::string& figure, const Reproduction& reproduction) {
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "Reproduces the figures of the paper over an ensemble of lattices, as CSV, SVG and PNG. An "
+      "Reproduces the figures of the paper, and oblique impacts, over an ensemble of lattices, as "
+      "CSV, SVG and PNG. An "
       "interrupted command is taken up again where it was.",
       "reproduce");
   std::string figure;
   impact::Reproduction reproduction;
   reproduction.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  app.add_option("figure", figure, "figure2, figure3, figure6 or all (also figures 1 and 4)")
+  app.add_option("figure", figure,
+                 "figure2, figure3, figure6, all of them (also figures 1 and 4), or oblique: "
+                 "impacts at an angle on soft walls")
       ->required()
-      ->check(CLI::IsMember(std::set<std::string>{"figure2", "figure3", "figure6", "all"}));
+      ->check(
+          CLI::IsMember(std::set<std::string>{"figure2", "figure3", "figure6", "oblique", "all"}));
   std::string folder;
   app.add_option("--output", folder, "folder for the results")->required();
   app.add_option("--lattices", reproduction.lattices, "size of the ensemble")

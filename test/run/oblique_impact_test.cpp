@@ -152,6 +152,96 @@ TEST(ObliqueImpact, IsGoodWhenSpinAndTangentialRestitutionAreToo) {
   EXPECT_GT(estimates(&Restitution::tangential_restitution).size(), 3U);
 }
 
+Scene thrown_at_soft_wall(double angle) {
+  Scene scene = thrown(0.1, angle, 0.0);
+  scene.wall.kind = WallKind::kLattice;
+  scene.wall.boundary = Boundary::kFixed;
+  scene.wall.points = 1000;
+  scene.wall.width = 8.0;
+  scene.wall.height = 2.0;
+  scene.wall.k_a = 0.05;
+  return scene;
+}
+
+/// The points of a wall's surface in the order of x, by their rows in the arrays of all points.
+std::vector<Eigen::Index> surface_of(const impact::Run& run) {
+  const PointArray& wall = run.second_lattice()->points;
+  const double top = wall.col(1).maxCoeff();
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index i = 0; i < wall.rows(); ++i) {
+    if (wall(i, 1) > top - 1e-12) rows.push_back(i);
+  }
+  std::sort(rows.begin(), rows.end(),
+            [&](Eigen::Index a, Eigen::Index b) { return wall(a, 0) < wall(b, 0); });
+  for (Eigen::Index& row : rows) row += run.lattice().points.rows();
+  return rows;
+}
+
+/// What is found at one instant from the bonds of the surface straight below the points in contact.
+struct UnderContact {
+  double push = 0.0;    ///< along y, of every point
+  double moment = 0.0;  ///< the same times the slopes of the bonds
+  double chord = 0.0;   ///< its slope, of the points that are pushed with 1 % of the largest force
+};
+
+UnderContact under_contact(const impact::Run& run, const std::vector<Eigen::Index>& surface) {
+  const PointArray& position = run.state().position;
+  const Contact& contact = *run.system().field().contact();
+  const auto slope = [&](std::size_t first, std::size_t last) {
+    return (position(surface[last], 1) - position(surface[first], 1)) /
+           (position(surface[last], 0) - position(surface[first], 0));
+  };
+  UnderContact found;
+  std::size_t first = surface.size();
+  std::size_t last = 0;
+  for (const PointForce& point : contact.contacts(position, 0.0)) {
+    std::size_t bond = 0;
+    while (position(surface[bond + 1], 0) <= position(point.point, 0)) ++bond;
+    found.push += point.force.y();
+    found.moment += point.force.y() * slope(bond, bond + 1);
+    if (point.force.matrix().norm() <= 0.01 * contact.largest_force()) continue;
+    first = std::min(first, bond);
+    last = std::max(last, bond + 1);
+  }
+  found.chord = first < last ? slope(first, last) : 0.0;
+  return found;
+}
+
+/// Both slopes, found anew at every fourth step. The contact has no friction: the impulse is normal
+/// to the bonds, which rise before the disk.
+TEST(SurfaceSlope, IsThatOfTheChordAndTheImpulseIsNormalToTheBonds) {
+  Scene scene = thrown_at_soft_wall(80.0);
+  scene.output.period = 4.0 * *scene.numerics.step;
+  impact::Run run(scene);
+  const std::vector<Eigen::Index> surface = surface_of(run);
+  ImpactAnalysis analysis;
+  analysis.add(run.disk_state());
+  UnderContact sum;
+  while (!run.finished()) {
+    run.advance();
+    const UnderContact now = under_contact(run, surface);
+    sum.push += now.push;
+    sum.moment += now.moment;
+    sum.chord += now.push * now.chord;
+  }
+  analysis.add(run.disk_state());
+  EXPECT_GT(sum.chord, 0.0);
+  // The least forces, 10⁻⁶ of M v c/R, do not count; the last look may come after fewer steps.
+  EXPECT_NEAR(run.surface_slope(), sum.chord / sum.push, 1e-6);
+  // The change of momentum against a sum over every fourth step.
+  const double of_impulse = -analysis.restitution(true).impulse_ratio;
+  EXPECT_NEAR(sum.moment / sum.push, of_impulse, 0.02 * of_impulse);
+}
+
+TEST(SurfaceSlope, IsNotMeasuredWhereNothingSlidesOrThePotentialPushes) {
+  for (Scene scene : {thrown_at_soft_wall(0.0), thrown(0.1, 45.0, 0.0)}) {
+    scene.impact.velocity = 0.01;
+    impact::Run run(scene);
+    while (!run.finished()) run.advance();
+    EXPECT_TRUE(std::isnan(run.surface_slope()));
+  }
+}
+
 /// With the disk's own constants it makes the steps of a wall that takes them over, bit for bit.
 TEST(WallMaterial, OfTheDiskIsTheDisks) {
   for (const double eta : {0.0, 5.0}) {

@@ -80,6 +80,21 @@ def write_precision(folder):
     write(folder, 'discretisation.csv', lines)
 
 
+def write_oblique(folder):
+    """On one wall everything at one angle was refused; on another some of it."""
+    numbers = ('restitution', 'straight', 'gain', 'slope', 'chord', 'on_slope', 'on_chord')
+    walls = ((1, 0.1), (0.01, 0.1))
+    write(folder, 'oblique.csv',
+          ['wall_k_a,velocity,tan_gamma,refused,' +
+           ','.join(f'{name},{name}_error' for name in numbers)] +
+          [f'{k_a},{v},0,1' + ',0.9,nan' * len(numbers) for k_a, v in walls] +
+          [f'{walls[0][0]},0.1,5,0' + ',0.8,0.01' * len(numbers),
+           f'{walls[1][0]},0.1,5,2' + ',nan,nan' * len(numbers)])
+    write(folder, 'oblique_impacts.csv',
+          ['wall_k_a,velocity,gain,straight,on_slope', '1,0.1,0.01,0.9,0.92',
+           '0.01,0.1,-0.05,0.9,1.2'])
+
+
 def write_accuracy(folder):
     """Of one kind there is none; an answer without an error, one in doubt, one refused."""
     write(folder, 'accuracy.csv',
@@ -121,6 +136,11 @@ class PlotFiguresTest(InFolder):
         names = ['discretisation'] + [file.stem for file in self.folder.glob('work_*.csv')]
         self.assertEqual(set(self.pictures()),
                          {name + '.png' for name in names})
+
+    def test_oblique_is_made_of_data_with_gaps(self):
+        write_oblique(self.folder)
+        plot('oblique', self.folder)
+        self.assertEqual(set(self.pictures()), {'oblique.png'})
 
     def test_accuracy_is_made_of_data_with_gaps(self):
         write_accuracy(self.folder)

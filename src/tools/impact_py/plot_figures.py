@@ -4,7 +4,8 @@ from pathlib import Path
 
 from .program import Parser, run
 
-NAMES = ("accuracy", "figure1", "figure2", "figure3", "figure4", "figure6", "work_precision", "all")
+NAMES = ("accuracy", "figure1", "figure2", "figure3", "figure4", "figure6", "oblique", "work_precision",
+         "all")
 
 
 def main():
@@ -19,7 +20,8 @@ def perform(arguments):
     """Draws what the command line names."""
     # pylint: disable=import-outside-toplevel
     from . import style
-    from .figures import accuracy, compression, elastic_wall, lattices, precision, restitution
+    from .figures import (accuracy, compression, elastic_wall, lattices, oblique, precision,
+                          restitution)
 
     style.choose_window(False)
     figures = {
@@ -29,6 +31,7 @@ def perform(arguments):
         "figure4": lattices.figure4,
         "figure6": elastic_wall.figure6,
         "accuracy": accuracy.figure_accuracy,
+        "oblique": oblique.figure_oblique,
         "work_precision": precision.figures_of_precision,
     }
     names = [arguments.figure]

@@ -18,7 +18,8 @@ LABELS = {"impact.velocity": "$v/c$", "material.eta": r"$\eta^*$", "restitution"
           "spin_after": "spin after $(c/R)$", "young_modulus": "$E$ $(M c^2/R^2)$",
           "impact.angle": "angle (degrees)", "impact.spin": r"$\omega$ $(c/R)$",
           "tangential_restitution": r"$\beta$", "normal_energy": "normal energy after",
-          "tangential_energy": "tangential energy after", "rotation_energy": "rotation energy after", "wall.a": "$a$ $(1/R)$",
+          "tangential_energy": "tangential energy after", "rotation_energy": "rotation energy after",
+          "surface_slope": "slope of the surface", "impulse_ratio": "ratio of impulses", "wall.a": "$a$ $(1/R)$",
           "wall.k_a": "wall's $k_a$ $(M c^2/R^2)$"}
 
 
