@@ -20,7 +20,7 @@
 #include "kernels/threads.hpp"
 #include "run/compose.hpp"
 #include "run/energy_monitor.hpp"
-#include "series/experiment.hpp"
+#include "series/convergence_study.hpp"
 #include "series/side_by_side.hpp"
 
 namespace impact {
@@ -34,15 +34,15 @@ using SharedBodies = std::shared_ptr<const Bodies>;
 std::optional<SeriesOutcome> simulate(const Scene& scene, SharedBodies bodies,
                                       const std::function<bool()>& stop,
                                       const std::function<void()>& done) {
-  Experiment experiment(scene,
-                        std::make_shared<const Composition>(compose(scene, std::move(bodies))));
+  ConvergenceStudy study(scene,
+                         std::make_shared<const Composition>(compose(scene, std::move(bodies))));
   SeriesOutcome outcome;
   try {
-    while (!experiment.finished()) {
+    while (!study.finished()) {
       if (stop()) return std::nullopt;
-      experiment.advance(stop);
+      study.advance(stop);
     }
-    outcome.results.push_back(experiment.result());
+    outcome.results.push_back(study.result());
   } catch (const RunFailure& error) {
     outcome.results.push_back(failure(error.what()));
   }

@@ -11,7 +11,7 @@
 
 #include "output/csv.hpp"
 #include "scene/scene_parameters.hpp"
-#include "series/experiment.hpp"
+#include "series/convergence_study.hpp"
 
 namespace impact {
 namespace {

@@ -37,13 +37,13 @@ double seconds_since(Clock::time_point begin) {
 
 struct Candidate;
 
-/// A run in lanes. It starts before the experiment asks for it; until then its candidate keeps the
-/// Run, afterwards the experiment does.
+/// A run in lanes. It starts before the study asks for it; until then its candidate keeps the
+/// Run, afterwards the study does.
 struct LaneRun {
   Candidate* candidate;
   Resolution resolution;
   LaneMotion* motion;
-  std::optional<Run> run;  ///< until the experiment asks for it
+  std::optional<Run> run;  ///< until the study asks for it
   bool cancelled = false;
 };
 
@@ -53,9 +53,9 @@ struct Candidate {
   std::shared_ptr<const Composition> composition;
   EquilibriumSearch* search = nullptr;
   std::deque<LaneRun> lane_runs{};
-  LaneRun* present = nullptr;    ///< of the experiment's run
+  LaneRun* present = nullptr;    ///< of the study's run
   std::deque<LaneRun*> ahead{};  ///< of the runs that will be asked for next, in their order
-  std::unique_ptr<Experiment> experiment{};
+  std::unique_ptr<ConvergenceStudy> study{};
   double wall_time = 0.0;  ///< s
   std::string failure{};   ///< why it cannot go on
 };
@@ -149,7 +149,7 @@ class SideBySide {
   }
 
   EquilibriumSearch* start_search(Candidate& candidate) {
-    candidate.experiment = std::make_unique<Experiment>(
+    candidate.study = std::make_unique<ConvergenceStudy>(
         scenes_[candidate.place], candidate.composition,
         [this, &candidate](const Resolution& resolution) {
           const Scene& scene = scenes_[candidate.place];
@@ -163,7 +163,7 @@ class SideBySide {
   void conclude_search(Candidate& candidate) {
     const auto begin = Clock::now();
     try {
-      candidate.experiment->observe_solution(*candidate.search);
+      candidate.study->observe_solution(*candidate.search);
     } catch (const RunFailure& failure) {
       candidate.failure = failure.what();
     }
@@ -198,11 +198,11 @@ class SideBySide {
     for (Candidate& candidate : candidates_) {
       const auto begin = Clock::now();
       try {
-        Experiment& experiment = *(candidate.experiment = std::make_unique<Experiment>(
-                                       scenes_[candidate.place], candidate.composition));
-        while (!experiment.finished()) {
+        ConvergenceStudy& study = *(candidate.study = std::make_unique<ConvergenceStudy>(
+                                        scenes_[candidate.place], candidate.composition));
+        while (!study.finished()) {
           if (stop_()) return false;
-          experiment.advance(stop_);
+          study.advance(stop_);
         }
       } catch (const RunFailure& failure) {
         candidate.failure = failure.what();
@@ -227,12 +227,12 @@ class SideBySide {
   /// Starts the first run, and those after it as far as they are sure to be needed.
   void start(Candidate& candidate) {
     const auto begin = Clock::now();
-    candidate.experiment =
-        std::make_unique<Experiment>(scenes_[candidate.place], candidate.composition,
-                                     [this, &candidate](const Resolution& resolution) {
-                                       return next_run(candidate, resolution);
-                                     });
-    for (const Resolution& later : candidate.experiment->later_resolutions()) {
+    candidate.study =
+        std::make_unique<ConvergenceStudy>(scenes_[candidate.place], candidate.composition,
+                                           [this, &candidate](const Resolution& resolution) {
+                                             return next_run(candidate, resolution);
+                                           });
+    for (const Resolution& later : candidate.study->later_resolutions()) {
       candidate.ahead.push_back(&new_lane_run(candidate, later));
     }
     candidate.wall_time += seconds_since(begin);
@@ -249,7 +249,7 @@ class SideBySide {
     return candidate.lane_runs.back();
   }
 
-  /// The run that the experiment asks for: one that was started ahead, or else a new one.
+  /// The run that the study asks for: one that was started ahead, or else a new one.
   Run next_run(Candidate& candidate, const Resolution& resolution) {
     if (!candidate.ahead.empty() && !(candidate.ahead.front()->resolution == resolution)) {
       cancel(candidate);
@@ -319,7 +319,7 @@ class SideBySide {
         lane_run->run->observe_step();
         return !lane_run->run->finished();
       }
-      candidate.experiment->observe_step();
+      candidate.study->observe_step();
     } catch (const RunFailure& failure) {
       if (lane_run->run) {
         cancel(candidate);  // it will fail again if it is asked for
@@ -328,7 +328,7 @@ class SideBySide {
       }
       return false;
     }
-    return !candidate.experiment->finished() && candidate.present == lane_run;
+    return !candidate.study->finished() && candidate.present == lane_run;
   }
 
   void send_on(LaneRun& lane_run, LaneBundle& bundle) {
@@ -341,7 +341,7 @@ class SideBySide {
       } else {
         wait(lane_run);
       }
-    } else if (!candidate.failure.empty() || candidate.experiment->finished()) {
+    } else if (!candidate.failure.empty() || candidate.study->finished()) {
       cancel(candidate);
       conclude(candidate);
     } else if (candidate.present == &lane_run) {
@@ -351,12 +351,12 @@ class SideBySide {
 
   void conclude(Candidate& candidate) {
     if (candidate.failure.empty()) {
-      candidate.experiment->set_wall_time(candidate.wall_time);
-      outcome_.results[candidate.place] = candidate.experiment->result();
+      candidate.study->set_wall_time(candidate.wall_time);
+      outcome_.results[candidate.place] = candidate.study->result();
     } else {
       outcome_.results[candidate.place] = failure(candidate.failure);
     }
-    candidate.experiment.reset();
+    candidate.study.reset();
     candidate.composition.reset();
     done_();
   }

@@ -8,7 +8,7 @@
 
 #include "run/bodies.hpp"
 #include "scene/scene.hpp"
-#include "series/experiment.hpp"
+#include "series/convergence_study.hpp"
 #include "series/series_file.hpp"
 
 namespace impact {
@@ -33,8 +33,8 @@ std::shared_ptr<const Bodies> make_common_bodies(const std::vector<Scene>& scene
 /// Simulates scenes of these bodies, all or none of them static and all able to be in lanes, side
 /// by side; where one run is done, another takes its lane, and the runs that an answer takes go on
 /// at the same time. Where too few lanes would be taken for too long, one scene after another. Each
-/// result is that of an Experiment by itself, to the last bit, except for wall_time: the time of a
-/// step is shared out among those that make it. `done` is told of every scene that is. @return
+/// result is that of a ConvergenceStudy by itself, to the last bit, except for wall_time: the time
+/// of a step is shared out among those that make it. `done` is told of every scene that is. @return
 /// nothing when told to stop, which is asked often.
 std::optional<SeriesOutcome> simulate_side_by_side(const std::vector<Scene>& scenes,
                                                    std::shared_ptr<const Bodies> bodies,

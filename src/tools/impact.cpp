@@ -18,7 +18,7 @@
 #include "scene/scene_files.hpp"
 #include "scene/scene_parameters.hpp"
 #include "scene/short_keys.hpp"
-#include "series/experiment.hpp"
+#include "series/convergence_study.hpp"
 
 namespace impact {
 namespace {
@@ -30,19 +30,19 @@ struct Options {
   Format format = Format::kAuto;
 };
 
-/// What all runs of an experiment have done, and what is left as far as it is known, in steps.
+/// What all runs of a study have done, and what is left as far as it is known, in steps.
 class Work {
  public:
-  void note(const Experiment& experiment) {
-    const Run& run = experiment.run();
-    if (experiment.runs() != run_) {
-      run_ = experiment.runs();
+  void note(const ConvergenceStudy& study) {
+    const Run& run = study.run();
+    if (study.runs() != run_) {
+      run_ = study.runs();
       before_ = done_;
     }
     done_ = before_ + static_cast<double>(run.state().step);
     const double time = run.expected_time();
     total_ = before_ + time / run.system().step_size();
-    for (const Resolution& later : experiment.later_resolutions()) total_ += time / later.step;
+    for (const Resolution& later : study.later_resolutions()) total_ += time / later.step;
   }
 
   double done() const { return done_; }
@@ -55,35 +55,34 @@ class Work {
   double total_ = 0.0;
 };
 
-std::string what_is_done(const Experiment& experiment) {
-  const Run& run = experiment.run();
+std::string what_is_done(const ConvergenceStudy& study) {
+  const Run& run = study.run();
   std::string place =
       fmt::format("{:.3g} of about {:.2g} R/c", run.state().time, run.expected_time());
-  if (experiment.runs() == 1) return place;
-  return fmt::format("run {}, with finer steps, to confirm the error: {}", experiment.runs(),
-                     place);
+  if (study.runs() == 1) return place;
+  return fmt::format("run {}, with finer steps, to confirm the error: {}", study.runs(), place);
 }
 
-void perform(Experiment& experiment) {
+void perform(ConvergenceStudy& study) {
   ProgressLine progress("impact", "steps");
   Work work;
   const auto stop = [&] {
-    if (!experiment.scene().is_static()) {
-      work.note(experiment);
-      progress.show(work.done(), work.total(), what_is_done(experiment));
+    if (!study.scene().is_static()) {
+      work.note(study);
+      progress.show(work.done(), work.total(), what_is_done(study));
     }
     return interrupted();
   };
-  while (!experiment.finished()) {
-    experiment.advance(stop);
+  while (!study.finished()) {
+    study.advance(stop);
     if (interrupted()) throw std::runtime_error("interrupted");
   }
 }
 
-void tell_if_long(const Experiment& experiment) {
-  const Run& run = experiment.run();
+void tell_if_long(const ConvergenceStudy& study) {
+  const Run& run = study.run();
   const Lattice* const wall = run.second_lattice();
-  const Forecast expected = forecast(experiment.scene(), run.lattice().points.rows(),
+  const Forecast expected = forecast(study.scene(), run.lattice().points.rows(),
                                      wall == nullptr ? 0 : wall->points.rows());
   if (expected.seconds <= kWorthTelling) return;
   fmt::print(stderr, "impact: this scene will take about {}\n", text(expected));
@@ -106,14 +105,14 @@ struct Output {
   ResultFiles files;
 };
 
-void write_result(const Experiment& experiment, const std::string& result, const History& history,
+void write_result(const ConvergenceStudy& study, const std::string& result, const History& history,
                   ResultFiles& files) {
-  const double mass = experiment.run().system().field().point_mass;
+  const double mass = study.run().system().field().point_mass;
   write_file(files.beside("result.yaml"), result);
-  write_file(files.beside("scene.yaml"), to_yaml(experiment.scene()));
+  write_file(files.beside("scene.yaml"), to_yaml(study.scene()));
   write_file(files.beside("history.csv"), history.csv());
-  write_lammps_data(experiment.run().lattice(), mass, files.beside("lattice.data"));
-  if (const Lattice* const wall = experiment.run().second_lattice()) {
+  write_lammps_data(study.run().lattice(), mass, files.beside("lattice.data"));
+  if (const Lattice* const wall = study.run().second_lattice()) {
     write_lammps_data(*wall, mass, files.beside("wall.data"));
   }
   files.take_their_places();
@@ -139,26 +138,25 @@ Scene single_scene(const FlatTree& keys) {
 }
 
 /// How the result came about, in a line.
-std::string account(const Experiment& experiment) {
-  const Run& run = experiment.run();
+std::string account(const ConvergenceStudy& study) {
+  const Run& run = study.run();
   const std::string method = name_of(run.integrator());
-  const std::string time = fmt::format("{:.2g} s", experiment.wall_time());
-  if (experiment.scene().is_static()) {
+  const std::string time = fmt::format("{:.2g} s", study.wall_time());
+  if (study.scene().is_static()) {
     return fmt::format("  by {}: {} iterations, {}\n", method, run.state().step, time);
   }
   const std::string runs =
-      experiment.runs() == 1
-          ? ""
-          : fmt::format(", the last of {} runs that show the error", experiment.runs());
+      study.runs() == 1 ? ""
+                        : fmt::format(", the last of {} runs that show the error", study.runs());
   return fmt::format("  by {}: {} steps of {:.3g} R/c{}, {}\n", method, run.state().step,
                      run.system().step_size(), runs, time);
 }
 
-std::string text_of(const Experiment& experiment, const Result& result,
+std::string text_of(const ConvergenceStudy& study, const Result& result,
                     const std::optional<SiUnits>& si) {
-  const Scene& scene = experiment.scene();
-  return fmt::format("{}\n{}{}{}", title(scene), result_block(result, scene, si),
-                     account(experiment), si ? "  SI for " + si->origin() + "\n" : "");
+  const Scene& scene = study.scene();
+  return fmt::format("{}\n{}{}{}", title(scene), result_block(result, scene, si), account(study),
+                     si ? "  SI for " + si->origin() + "\n" : "");
 }
 
 void perform(const FlatTree& keys, const Options& options) {
@@ -173,22 +171,22 @@ void perform(const FlatTree& keys, const Options& options) {
     output.emplace(options.folder);
     history.emplace(options.keep_states ? output->files.beside(Output::kStates) : "");
   }
-  Experiment experiment(scene, history ? &*history : nullptr);
-  tell_if_long(experiment);
-  perform(experiment);
+  ConvergenceStudy study(scene, history ? &*history : nullptr);
+  tell_if_long(study);
+  perform(study);
 
-  const Result result = experiment.result();
+  const Result result = study.result();
   YAML::Node document = to_yaml(result);
   if (si) document["si"] = si_values(result, scene, *si);
   if (is_text(options.format)) {
-    fmt::print("{}", text_of(experiment, result, si));
+    fmt::print("{}", text_of(study, result, si));
     if (output) fmt::print("  files in {}\n", options.folder);
   } else {
     print_document(document, options.format);
   }
   if (!output) return;
   history->close();
-  write_result(experiment, YAML::Dump(document) + "\n", *history, output->files);
+  write_result(study, YAML::Dump(document) + "\n", *history, output->files);
 }
 
 void list_keys(const FlatTree& keys) {

@@ -8,7 +8,7 @@
 #include <regex>
 
 #include "scene/scene_parameters.hpp"
-#include "series/experiment.hpp"
+#include "series/convergence_study.hpp"
 
 namespace impact {
 namespace {
@@ -20,7 +20,7 @@ constexpr double kKnown = 0.1;             // of the wanted error, what the refe
 constexpr double kCertain = 10.0;
 constexpr double kFactor = 100.0;
 
-/// Adds up the work of all runs of an experiment.
+/// Adds up the work of all runs of a study.
 class WorkMeter {
  public:
   void look(const Run& run) {
@@ -36,18 +36,18 @@ class WorkMeter {
   double work_ = 0.0;
 };
 
-void perform(Experiment& experiment) {
+void perform(ConvergenceStudy& study) {
   WorkMeter meter;
   const auto stop = [&] {
-    meter.look(experiment.run());
+    meter.look(study.run());
     return meter.is_too_much();
   };
-  while (!experiment.finished()) {
-    experiment.advance(stop);
+  while (!study.finished()) {
+    study.advance(stop);
     if (meter.is_too_much()) throw RunFailure("stopped: too much work");
   }
   for (const Flag flag : {Flag::kNotAtRest, Flag::kNotSeparated}) {
-    if (experiment.run().has_flag(flag)) throw RunFailure(name_of(flag));
+    if (study.run().has_flag(flag)) throw RunFailure(name_of(flag));
   }
 }
 
@@ -63,13 +63,13 @@ std::string cause_of(const std::string& status) {
 AccuracyTrial try_scene(const Scene& scene) {
   AccuracyTrial trial{AccuracyTrial::kAnswered, "", kUnknown, kUnknown, kUnknown, kUnknown};
   try {
-    Experiment experiment(scene);
-    perform(experiment);
-    trial.integrator = name_of(experiment.run().integrator());
-    trial.step = experiment.run().system().step_size();
-    trial.answer = experiment.answer();
-    trial.estimated_error = experiment.estimated_error();
-    trial.wall_time = experiment.wall_time();
+    ConvergenceStudy study(scene);
+    perform(study);
+    trial.integrator = name_of(study.run().integrator());
+    trial.step = study.run().system().step_size();
+    trial.answer = study.answer();
+    trial.estimated_error = study.estimated_error();
+    trial.wall_time = study.wall_time();
   } catch (const std::exception& failure) {
     trial.status = failure.what();
   }

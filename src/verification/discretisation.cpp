@@ -48,7 +48,7 @@ SizeSample sample(double eta, const Size& size, double longest) {
     throw_if_interrupted();
     bar.show(sample.restitution.size());
     scene.seed = static_cast<std::uint64_t>(seed);
-    Measurement one(scene, Until::kAnswer);
+    TimedScene one(scene, Until::kAnswer);
     one.run(longest);
     if (!one.has_answer()) throw std::runtime_error(one.outcome().flags);
     sample.restitution.push_back(one.outcome().answer);

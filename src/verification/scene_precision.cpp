@@ -164,7 +164,7 @@ std::vector<Scene::Numerics> settings(const Scene& scene, double end, double fin
   return list;
 }
 
-const char* kind_of(const Measurement& one) {
+const char* kind_of(const TimedScene& one) {
   return one.until() == Until::kTime ? "run" : one.is_verified() ? "verified" : "bare";
 }
 
@@ -192,14 +192,14 @@ class ScenePrecision {
   void add_best(Table& table) const;
 
  private:
-  double error_of(const Measurement& one) const { return reference_.error_of(one.outcome()); }
+  double error_of(const TimedScene& one) const { return reference_.error_of(one.outcome()); }
   /// Whether it belongs to the curve of an integrator.
-  bool on_curve(const Measurement& one) const {
+  bool on_curve(const TimedScene& one) const {
     return moves_ ? one.until() == Until::kTime
                   : one.scene().numerics.integrator != IntegratorKind::kAuto;
   }
   /// False when it took longer than this (s), in which case it does not count.
-  bool add(Measurement one, double longest) {
+  bool add(TimedScene one, double longest) {
     throw_if_interrupted();
     one.run(longest);
     const bool in_time = one.has_answer() || one.spent() < longest;
@@ -215,22 +215,21 @@ class ScenePrecision {
     return add({scene, Until::kAnswer}, runs * effort_.longest);
   }
 
-  using Curve = std::vector<Measurement>;  // of one integrator, from coarse to fine
+  using Curve = std::vector<TimedScene>;  // of one integrator, from coarse to fine
 
   void measure_contact();
   void measure_motion();
   Curve sweep(IntegratorKind integrator) const;
   void answer(const std::vector<Curve>& curves, double error);
 
-  /// The fastest of the measurements that keep this error.
-  const Measurement* best(double error,
-                          const std::function<bool(const Measurement&)>& chosen) const;
+  /// The fastest of the timed scenes that keep this error.
+  const TimedScene* best(double error, const std::function<bool(const TimedScene&)>& chosen) const;
 
   TestScene scene_;
   Effort effort_;
   bool moves_;
   Reference reference_;
-  std::vector<Measurement> all_;
+  std::vector<TimedScene> all_;
 };
 
 /// From coarse to fine, until the error cannot be shown any more or runs take too long.
@@ -244,7 +243,7 @@ ScenePrecision::Curve ScenePrecision::sweep(IntegratorKind integrator) const {
   for (const Scene::Numerics& numerics : settings(scene, reference_.end, effort_.finer)) {
     throw_if_interrupted();
     scene.numerics = numerics;
-    Measurement one(scene, Until::kTime);
+    TimedScene one(scene, Until::kTime);
     one.run(effort_.longest);
     const bool too_long = one.spent() > 0.5 * effort_.longest;
     const bool same =
@@ -283,7 +282,7 @@ void ScenePrecision::answer(const std::vector<Curve>& curves, double error) {
   for (const Curve& curve : curves) {
     std::vector<double> errors;
     errors.reserve(curve.size());
-    for (const Measurement& one : curve) errors.push_back(error_of(one));
+    for (const TimedScene& one : curve) errors.push_back(error_of(one));
     const auto coarsest = coarsest_sufficient(errors, error);
     if (!coarsest) continue;
     sufficient.emplace_back(&curve, *coarsest);
@@ -303,7 +302,7 @@ void ScenePrecision::answer(const std::vector<Curve>& curves, double error) {
 
 void ScenePrecision::write(const std::filesystem::path& folder) const {
   std::vector<WorkAndError> curves;
-  for (const Measurement& one : all_) {
+  for (const TimedScene& one : all_) {
     curves.push_back({one.median_time(), on_curve(one) ? error_of(one) : Outcome::kNaN});
   }
   const std::vector<std::size_t> front = pareto_front(curves);
@@ -311,7 +310,7 @@ void ScenePrecision::write(const std::filesystem::path& folder) const {
                "time", "wall_time", "force_evaluations", "error", "position_error", "energy_error",
                "estimated_error", "on_front", "flags"});
   for (std::size_t k = 0; k < all_.size(); ++k) {
-    const Measurement& one = all_[k];
+    const TimedScene& one = all_[k];
     const Scene::Numerics& numerics = one.scene().numerics;
     const Outcome& outcome = one.outcome();
     const bool is_run = one.until() == Until::kTime;
@@ -335,10 +334,10 @@ void ScenePrecision::add_reference(Table& table) const {
              reference_.methods);
 }
 
-const Measurement* ScenePrecision::best(
-    double error, const std::function<bool(const Measurement&)>& chosen) const {
+const TimedScene* ScenePrecision::best(double error,
+                                       const std::function<bool(const TimedScene&)>& chosen) const {
   std::vector<WorkAndError> points;
-  for (const Measurement& one : all_) {
+  for (const TimedScene& one : all_) {
     const bool counts = one.until() == Until::kAnswer && one.scene().numerics.error == error;
     points.push_back({one.median_time(), counts && chosen(one) ? error_of(one) : Outcome::kNaN});
   }
@@ -346,7 +345,7 @@ const Measurement* ScenePrecision::best(
   return k ? &all_[*k] : nullptr;
 }
 
-std::string setting_of(const Measurement& one) {
+std::string setting_of(const TimedScene& one) {
   const Scene::Numerics& numerics = one.scene().numerics;
   if (numerics.tolerance) return fmt::format("tolerance {:g}", *numerics.tolerance);
   if (is_adaptive(one.outcome().integrator) ||
@@ -357,7 +356,7 @@ std::string setting_of(const Measurement& one) {
 }
 
 /// Integrator, setting, time and true error.
-std::string add_choice(const Measurement* one, double error, Table& table) {
+std::string add_choice(const TimedScene* one, double error, Table& table) {
   if (one == nullptr) {
     table << "none"
           << "" << Outcome::kNaN << Outcome::kNaN;
@@ -369,25 +368,24 @@ std::string add_choice(const Measurement* one, double error, Table& table) {
 }
 
 void ScenePrecision::add_best(Table& table) const {
-  const auto is_auto = [](const Measurement& one) {
+  const auto is_auto = [](const TimedScene& one) {
     return one.scene().numerics.integrator == IntegratorKind::kAuto;
   };
   fmt::print("\n| error | bare | verified | auto | auto/verified | auto/bare |\n");
   fmt::print("|---|---|---|---|---|---|\n");
   for (const double error : effort_.errors()) {
-    const Measurement* const bare =
-        best(error, [&](const auto& one) { return !one.is_verified(); });
-    const Measurement* const verified =
+    const TimedScene* const bare = best(error, [&](const auto& one) { return !one.is_verified(); });
+    const TimedScene* const verified =
         best(error, [&](const auto& one) { return one.is_verified() && !is_auto(one); });
-    const Measurement* const automatic = best(error, [&](const auto& one) { return is_auto(one); });
-    const auto ratio_to = [&](const Measurement* other) {
+    const TimedScene* const automatic = best(error, [&](const auto& one) { return is_auto(one); });
+    const auto ratio_to = [&](const TimedScene* other) {
       return automatic != nullptr && other != nullptr
                  ? automatic->median_time() / other->median_time()
                  : Outcome::kNaN;
     };
     table << scene_.name << error;
     std::string line = fmt::format("| {:.0e} ", error);
-    for (const Measurement* const one : {bare, verified, automatic}) {
+    for (const TimedScene* const one : {bare, verified, automatic}) {
       line += "| " + add_choice(one, one != nullptr ? error_of(*one) : Outcome::kNaN, table) + " ";
     }
     table << ratio_to(verified) << ratio_to(bare);

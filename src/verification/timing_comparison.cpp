@@ -80,10 +80,10 @@ std::optional<Scene> with_known_setting(Scene scene, IntegratorKind integrator, 
   return {};
 }
 
-/// The measurements of one scene: `auto` first.
-std::vector<Measurement> measurements_of(const Scene& scene, const Comparison& comparison,
-                                         double answer) {
-  std::vector<Measurement> list{{scene, Until::kAnswer}};
+/// The timed runs of one scene: `auto` first.
+std::vector<TimedScene> timed_scenes_of(const Scene& scene, const Comparison& comparison,
+                                        double answer) {
+  std::vector<TimedScene> list{{scene, Until::kAnswer}};
   for (const IntegratorKind other : comparison.others) {
     Scene verified = scene;
     verified.numerics.integrator = other;
@@ -94,7 +94,7 @@ std::vector<Measurement> measurements_of(const Scene& scene, const Comparison& c
   return list;
 }
 
-std::string name_of(const Measurement& one) {
+std::string name_of(const TimedScene& one) {
   return fmt::format("{} {}", one.is_verified() ? "verified" : "bare",
                      impact::name_of(one.scene().numerics.integrator));
 }
@@ -108,10 +108,10 @@ void compare(const Comparison& comparison, const WorkPrecision& task, Table& tab
   for (const Scene& scene : scenes) {
     bar.show(done++);
     const double answer = reference_of(scene);
-    std::vector<Measurement> list = measurements_of(scene, comparison, answer);
-    for (Measurement& one : list) one.run(std::numeric_limits<double>::infinity());
+    std::vector<TimedScene> list = timed_scenes_of(scene, comparison, answer);
+    for (TimedScene& one : list) one.run(std::numeric_limits<double>::infinity());
     repeat_in_turn(list, task.effort);
-    for (const Measurement& one : list) {
+    for (const TimedScene& one : list) {
       const double ratio = list.front().median_time() / one.median_time();
       table << comparison.error << comparison.eta << scene.impact.velocity
             << static_cast<double>(scene.seed) << name_of(one)

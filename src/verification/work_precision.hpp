@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "verification/measurement.hpp"
+#include "verification/timed_scene.hpp"
 
 namespace impact {
 

@@ -17,7 +17,7 @@
 #include "run/compose.hpp"
 #include "run/resolution.hpp"
 #include "run/run.hpp"
-#include "series/experiment.hpp"
+#include "series/convergence_study.hpp"
 #include "series/series.hpp"
 #include "statics/equilibrium_solver.hpp"
 
@@ -168,9 +168,9 @@ BENCHMARK(run)->Unit(benchmark::kMillisecond);
 void impact_to_answer(benchmark::State& state) {
   const Scene scene;
   for (auto _ : state) {
-    Experiment experiment(scene);
-    while (!experiment.finished()) experiment.advance();
-    benchmark::DoNotOptimize(experiment.answer());
+    ConvergenceStudy study(scene);
+    while (!study.finished()) study.advance();
+    benchmark::DoNotOptimize(study.answer());
   }
   state.counters["impacts/s"] = per_iteration(1.0);
 }

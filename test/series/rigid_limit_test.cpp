@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "mechanics/body_motion.hpp"
-#include "series/experiment.hpp"
+#include "series/convergence_study.hpp"
 
 namespace impact {
 namespace {
@@ -43,11 +43,11 @@ TEST_P(RigidLimit, OfASlowDiskWithoutDamping) {
   scene.disk.recipe = {7, Placement::kBlueNoise, false};
   scene.wall.a = 1e5;
   scene.impact.velocity = 1e-6;
-  Experiment experiment(scene);
-  while (!experiment.finished()) experiment.advance();
+  ConvergenceStudy study(scene);
+  while (!study.finished()) study.advance();
   const double tolerance = 10.0 / scene.wall.a;
-  EXPECT_NEAR(experiment.answer(), rigid_restitution(experiment.run().lattice()), tolerance);
-  EXPECT_NEAR(experiment.impact().value.energy_restitution, 1.0, tolerance);
+  EXPECT_NEAR(study.answer(), rigid_restitution(study.run().lattice()), tolerance);
+  EXPECT_NEAR(study.impact().value.energy_restitution, 1.0, tolerance);
 }
 
 /// The same disk, thrown at 40° and spinning so that the point which touches comes faster: then no
@@ -67,10 +67,10 @@ TEST_P(RigidLimit, OfASlowDiskThatSpins) {
   scene.impact.spin = after_spin(kSpin).velocity > after_spin(-kSpin).velocity ? kSpin : -kSpin;
   const RigidMotion after = after_spin(scene.impact.spin);
 
-  Experiment experiment(scene);
-  while (!experiment.finished()) experiment.advance();
+  ConvergenceStudy study(scene);
+  while (!study.finished()) study.advance();
   const double tolerance = 30.0 / scene.wall.a;
-  const Restitution& value = experiment.impact().value;
+  const Restitution& value = study.impact().value;
   EXPECT_NEAR(value.restitution, after.velocity / v, tolerance);
   EXPECT_NEAR(value.spin_after / v, after.spin / v, tolerance);
   EXPECT_NEAR(value.tangential_velocity_after / scene.impact.tangential_velocity(), 1.0, 1e-9);

@@ -14,7 +14,7 @@
 #include "mechanics/lane_field.hpp"
 #include "run/compose.hpp"
 #include "scene/scene_parameters.hpp"
-#include "series/experiment.hpp"
+#include "series/convergence_study.hpp"
 #include "series/side_by_side.hpp"
 
 namespace impact {
@@ -68,16 +68,16 @@ TEST_F(RunSeries, WritesTheSameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(std::count(of_one.begin(), of_one.end(), '\n'), 1 + kRuns);
 }
 
-TEST_F(RunSeries, GivesTheResultsOfTheSingleExperiments) {
+TEST_F(RunSeries, GivesTheResultsOfTheSingleStudies) {
   const auto rows = run(small_scenes());
   ASSERT_EQ(rows.size(), kRuns);
   for (const Row& row : rows) {
-    Experiment experiment(row.scene);
-    while (!experiment.finished()) experiment.advance();
-    EXPECT_EQ(row.results.at("restitution"), experiment.impact().value.restitution);
-    EXPECT_EQ(row.results.at("steps"), experiment.run().state().step);
+    ConvergenceStudy study(row.scene);
+    while (!study.finished()) study.advance();
+    EXPECT_EQ(row.results.at("restitution"), study.impact().value.restitution);
+    EXPECT_EQ(row.results.at("steps"), study.run().state().step);
     EXPECT_TRUE(std::isnan(row.results.at("integrator")));
-    EXPECT_EQ(row.flags.empty(), experiment.run().flags().empty());
+    EXPECT_EQ(row.flags.empty(), study.run().flags().empty());
   }
   EXPECT_EQ(to_yaml(rows[4].scene), to_yaml(small_scenes()[4]));
 }
@@ -215,7 +215,7 @@ std::string yaml_without_wall_time(const Result& result) {
 }
 
 /// To the last bit. Returns the integrators that were used.
-std::set<std::string> expect_results_of_single_experiments(const std::vector<Scene>& scenes) {
+std::set<std::string> expect_results_of_single_studies(const std::vector<Scene>& scenes) {
   std::set<std::string> integrators;
   EXPECT_TRUE(std::all_of(scenes.begin(), scenes.end(), can_be_in_lanes));
   const auto outcome = simulate_side_by_side(
@@ -224,33 +224,33 @@ std::set<std::string> expect_results_of_single_experiments(const std::vector<Sce
   EXPECT_EQ(outcome->results.size(), scenes.size());
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     SCOPED_TRACE(i);
-    Experiment experiment(scenes[i]);
-    while (!experiment.finished()) experiment.advance();
+    ConvergenceStudy study(scenes[i]);
+    while (!study.finished()) study.advance();
     const Result& result = outcome->results[i];
     integrators.insert(std::get<std::string>(*result.find("integrator")));
-    EXPECT_EQ(yaml_without_wall_time(result), yaml_without_wall_time(experiment.result()));
+    EXPECT_EQ(yaml_without_wall_time(result), yaml_without_wall_time(study.result()));
   }
   return integrators;
 }
 
-TEST(SideBySide, GivesTheResultsOfSingleExperimentsToTheLastBit) {
+TEST(SideBySide, GivesTheResultsOfSingleStudiesToTheLastBit) {
   EXPECT_EQ(
-      expect_results_of_single_experiments(impacts_on_the_potential_wall()),
+      expect_results_of_single_studies(impacts_on_the_potential_wall()),
       (std::set<std::string>{"verlet", "blanes_moan", "implicit_damping", "extrapolated_damping"}));
 }
 
 TEST(SideBySide, DoesSoOnTheElasticWall) {
-  expect_results_of_single_experiments(impacts_on_the_elastic_wall());
+  expect_results_of_single_studies(impacts_on_the_elastic_wall());
 }
 
 TEST(SideBySide, DoesSoWhereTheDiskSlides) {
-  expect_results_of_single_experiments(
+  expect_results_of_single_studies(
       scenes("{scene: collision, disk: {points: 20, orientation: balanced}, impact: "
              "{velocity: [0.03, 0.05], angle: [-30, 60], spin: [0, 0.02]}}"));
 }
 
 TEST(SideBySide, DoesSoWithTwoDisks) {
-  expect_results_of_single_experiments(scenes(
+  expect_results_of_single_studies(scenes(
       "{scene: collision, disk: {points: 30}, wall: {type: disk, radius: 0.8, a: [150, 300]}, "
       "impact: {velocity: [0.03, 0.05], angle: [0, 40]}}"));
 }
@@ -274,8 +274,8 @@ TEST(SideBySide, PutsIntoLanesWhatLanesKnow) {
 }
 
 TEST(SideBySide, DoesSoWithStaticSolutions) {
-  expect_results_of_single_experiments(contacts());
-  expect_results_of_single_experiments(stretches());
+  expect_results_of_single_studies(contacts());
+  expect_results_of_single_studies(stretches());
 }
 
 /// One that starts deep in the wall.

@@ -1,4 +1,4 @@
-#include "series/experiment.hpp"
+#include "series/convergence_study.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ namespace {
 /// A quantity that is a real number.
 template <class Number>
 Quantity number(std::string key, Number value) {
-  return {std::move(key), [value](const Experiment& e) { return value(e); }};
+  return {std::move(key), [value](const ConvergenceStudy& e) { return value(e); }};
 }
 
 /// A term of the energy ledger at the end.
@@ -105,17 +105,19 @@ std::vector<Quantity> run_quantities() {
 
 }  // namespace
 
-Experiment::Experiment(const Scene& scene, const std::shared_ptr<const Composition>& composition,
-                       History* history)
-    : Experiment(
+ConvergenceStudy::ConvergenceStudy(const Scene& scene,
+                                   const std::shared_ptr<const Composition>& composition,
+                                   History* history)
+    : ConvergenceStudy(
           scene, composition,
           [scene, composition](const Resolution& resolution) {
             return Run(scene, composition, resolution);
           },
           history) {}
 
-Experiment::Experiment(const Scene& scene, std::shared_ptr<const Composition> composition,
-                       MakeRun make_run, History* history)
+ConvergenceStudy::ConvergenceStudy(const Scene& scene,
+                                   std::shared_ptr<const Composition> composition, MakeRun make_run,
+                                   History* history)
     : scene_(scene),
       composition_(std::move(composition)),
       make_run_(std::move(make_run)),
@@ -125,7 +127,7 @@ Experiment::Experiment(const Scene& scene, std::shared_ptr<const Composition> co
   start_run();
 }
 
-void Experiment::start_run() {
+void ConvergenceStudy::start_run() {
   analysis_ = ImpactAnalysis(scene_.gravity);
   ++runs_;
   run_.emplace(make_run_(control_.resolution()));
@@ -135,20 +137,20 @@ void Experiment::start_run() {
   take_in();
 }
 
-void Experiment::advance(const std::function<bool()>& stop) {
+void ConvergenceStudy::advance(const std::function<bool()>& stop) {
   go_on([&] { run_->advance(stop); });
 }
 
-void Experiment::observe_step() {
+void ConvergenceStudy::observe_step() {
   go_on([&] { run_->observe_step(); });
 }
 
-void Experiment::observe_solution(const EquilibriumSearch& search) {
+void ConvergenceStudy::observe_solution(const EquilibriumSearch& search) {
   go_on([&] { run_->observe_solution(search); });
 }
 
 template <class Move>
-void Experiment::go_on(const Move& move) {
+void ConvergenceStudy::go_on(const Move& move) {
   try {
     move();
   } catch (const RunFailure& failure) {
@@ -163,27 +165,27 @@ void Experiment::go_on(const Move& move) {
   }
 }
 
-void Experiment::end_run() {
+void ConvergenceStudy::end_run() {
   finished_ = control_.accepts(*run_, restitution_of_run());
   if (!finished_) start_run();
 }
 
-void Experiment::take_in() {
+void ConvergenceStudy::take_in() {
   const ContactReports reports = run_->take_contact_reports();
   run_->show(analysis_);
   analysis_.add(reports.on_first);
   if (history_ != nullptr) history_->add(*run_, strain(), reports);
 }
 
-Restitution Experiment::restitution_of_run() const {
+Restitution ConvergenceStudy::restitution_of_run() const {
   return analysis_.restitution(!run_->has_flag(Flag::kNotSeparated));
 }
 
-double Experiment::answer() const {
+double ConvergenceStudy::answer() const {
   return scene_.kind == SceneKind::kContact ? strain().strain() : impact().value.restitution;
 }
 
-ElasticConstants Experiment::elastic_constants() const {
+ElasticConstants ConvergenceStudy::elastic_constants() const {
   const MiddleRegion middle{scene_.stretch.width / 4.0, scene_.stretch.height / 4.0};
   const ElasticConstants constants =
       stretched_constants(run_->lattice(), run_->state().position, law(), middle);
@@ -193,20 +195,20 @@ ElasticConstants Experiment::elastic_constants() const {
   return constants;
 }
 
-double Experiment::grip_modulus() const {
+double ConvergenceStudy::grip_modulus() const {
   const MiddleRegion all{scene_.stretch.width / 2.0, scene_.stretch.height / 2.0};
   const double pull = mean_stress(run_->lattice(), run_->state().position, law(), all)(0, 0);
   return pull / scene_.stretch.strain;
 }
 
-BondLaw Experiment::law() const { return {scene_.material.k_a, scene_.material.k_b, 0.0}; }
+BondLaw ConvergenceStudy::law() const { return {scene_.material.k_a, scene_.material.k_b, 0.0}; }
 
-double Experiment::wall_time() const {
+double ConvergenceStudy::wall_time() const {
   if (given_wall_time_) return *given_wall_time_;
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
-Result Experiment::result() const {
+Result ConvergenceStudy::result() const {
   Result result;
   for (const Quantity& quantity : quantities(scene_)) {
     result.entries.emplace_back(quantity.key, quantity.value(*this));

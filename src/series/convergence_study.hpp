@@ -18,21 +18,22 @@
 namespace impact {
 
 /// Simulates and measures one scene, in as many runs as its error control asks for.
-class Experiment {
+class ConvergenceStudy {
  public:
-  /// `history`: takes in the states at the output times; outlives the experiment.
+  /// `history`: takes in the states at the output times; outlives the study.
   /// @throw InputError as compose().
-  explicit Experiment(const Scene& scene, History* history = nullptr)
-      : Experiment(scene, compose_shared(scene), history) {}
+  explicit ConvergenceStudy(const Scene& scene, History* history = nullptr)
+      : ConvergenceStudy(scene, compose_shared(scene), history) {}
   /// `composition`: of the scene.
-  Experiment(const Scene& scene, const std::shared_ptr<const Composition>& composition,
-             History* history = nullptr);
+  ConvergenceStudy(const Scene& scene, const std::shared_ptr<const Composition>& composition,
+                   History* history = nullptr);
 
   using MakeRun = std::function<Run(const Resolution&)>;
   /// Of runs that are moved from outside: then observe_step() or observe_solution() is called, not
   /// advance(). They may have gone on before they are asked for.
-  Experiment(const Scene& scene, std::shared_ptr<const Composition> composition, MakeRun make_run)
-      : Experiment(scene, std::move(composition), std::move(make_run), nullptr) {}
+  ConvergenceStudy(const Scene& scene, std::shared_ptr<const Composition> composition,
+                   MakeRun make_run)
+      : ConvergenceStudy(scene, std::move(composition), std::move(make_run), nullptr) {}
 
   /// Goes on as Run::advance() and takes in what the measurements need; at the end of a run that is
   /// not accurate enough, starts the next one.
@@ -77,8 +78,8 @@ class Experiment {
   void set_wall_time(double time) { given_wall_time_ = time; }
 
  private:
-  Experiment(const Scene& scene, std::shared_ptr<const Composition> composition, MakeRun make_run,
-             History* history);
+  ConvergenceStudy(const Scene& scene, std::shared_ptr<const Composition> composition,
+                   MakeRun make_run, History* history);
 
   void start_run();
   /// Takes in what `move` does to the run.
@@ -105,7 +106,7 @@ class Experiment {
 /// One entry of a result.
 struct Quantity {
   std::string key;
-  std::function<Result::Value(const Experiment&)> value;
+  std::function<Result::Value(const ConvergenceStudy&)> value;
 };
 
 /// Everything that the result of such a scene holds, in the order in which it is shown.

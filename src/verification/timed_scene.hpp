@@ -30,9 +30,9 @@ enum class Until {
 /// A scene that is timed, from its description to its answer: composing it, all its runs, and
 /// nothing else. Times are processor times, which others on the machine disturb least; they are
 /// the wall times of an idle machine, since all happens in one thread.
-class Measurement {
+class TimedScene {
  public:
-  Measurement(Scene scene, Until until) : scene_(std::move(scene)), until_(until) {}
+  TimedScene(Scene scene, Until until) : scene_(std::move(scene)), until_(until) {}
 
   /// Runs the scene once more. It is given up, without an answer, after `longest` seconds.
   void run(double longest);
@@ -71,10 +71,10 @@ struct Effort {
 /// @throw std::runtime_error after SIGINT or SIGTERM.
 void throw_if_interrupted();
 
-/// Repeats all measurements that have an answer, in turn and in turn backwards, so that a machine
+/// Runs all that have an answer again, in turn and in turn backwards, so that a machine
 /// that becomes slower for a while does so for all of them. Each has been run once already.
 /// @throw std::runtime_error as throw_if_interrupted().
-void repeat_in_turn(std::vector<Measurement>& measurements, const Effort& effort);
+void repeat_in_turn(std::vector<TimedScene>& timed, const Effort& effort);
 
 /// Not timed.
 /// @throw RunFailure when it has no answer.

@@ -1,4 +1,4 @@
-#include "series/experiment.hpp"
+#include "series/convergence_study.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,10 +19,10 @@ Scene scene_of(const std::string& file, const std::vector<std::string>& assignme
   return parse_scene(keys);
 }
 
-Experiment performed(const Scene& scene) {
-  Experiment experiment(scene);
-  while (!experiment.finished()) experiment.advance();
-  return experiment;
+ConvergenceStudy performed(const Scene& scene) {
+  ConvergenceStudy study(scene);
+  while (!study.finished()) study.advance();
+  return study;
 }
 
 /// A scene whose answer was once further off than promised, without a word. The true values are
@@ -38,10 +38,10 @@ class AnswerOf : public testing::TestWithParam<Case> {};
 
 TEST_P(AnswerOf, CaseIsWithinTheWantedErrorAndTheEstimatedOne) {
   const Scene scene = scene_of(GetParam().file, GetParam().keys);
-  const Experiment experiment = performed(scene);
-  const double error = std::abs(experiment.answer() / GetParam().restitution - 1.0);
+  const ConvergenceStudy study = performed(scene);
+  const double error = std::abs(study.answer() / GetParam().restitution - 1.0);
   EXPECT_LE(error, scene.numerics.error);
-  EXPECT_LE(error, experiment.estimated_error());
+  EXPECT_LE(error, study.estimated_error());
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -91,10 +91,10 @@ TEST(Answer, CountsTheTailOfTheWallAgainstWhatIsLeft) {
   std::vector<std::string> keys{"disk.points=8",     "disk.placement=uniform",
                                 "disk.rim=false",    "impact.velocity=0.005",
                                 "material.k_a=0.01", "material.k_b=1e-5"};
-  const Experiment lifted = performed(scene_of("collision", keys));
+  const ConvergenceStudy lifted = performed(scene_of("collision", keys));
   ASSERT_LT(lifted.answer(), 0.15);
   keys.emplace_back("impact.gap=0.3");
-  const Experiment far = performed(scene_of("collision", keys));
+  const ConvergenceStudy far = performed(scene_of("collision", keys));
   EXPECT_NEAR(far.answer() / lifted.answer(), 1.0,
               far.estimated_error() + lifted.estimated_error());
   EXPECT_LT(lifted.run().restitution_bound(), 1.0 + 1e-7);
@@ -108,7 +108,7 @@ TEST(Answer, CountsWhatTheWallStillHoldsAtTheEnd) {
   rough.emplace_back("numerics.error=1e-3");
   std::vector<std::string> fine = keys;
   fine.emplace_back("numerics.error=1e-9");
-  const Experiment answer = performed(scene_of("collision", rough));
+  const ConvergenceStudy answer = performed(scene_of("collision", rough));
   const double true_value = performed(scene_of("collision", fine)).answer();
   EXPECT_LT(std::abs(answer.answer() - true_value),
             0.1 * std::abs(answer.restitution_of_run().restitution - true_value));
@@ -121,10 +121,10 @@ TEST(Answer, OfALightLoadHasTheErrorOfRounding) {
     return performed(scene_of(
         "contact", {"numerics.integrator=newton", "load.P=1e-7", v0, "numerics.error=1e-8"}));
   };
-  const Experiment reference = strain("wall.V0=1");
+  const ConvergenceStudy reference = strain("wall.V0=1");
   EXPECT_GT(reference.estimated_error(), 1e-9);
   for (const char* const v0 : {"wall.V0=0.7", "wall.V0=1.23", "wall.V0=10"}) {
-    const Experiment other = strain(v0);
+    const ConvergenceStudy other = strain(v0);
     EXPECT_LE(std::abs(other.answer() / reference.answer() - 1.0),
               reference.estimated_error() + other.estimated_error());
   }
@@ -132,8 +132,8 @@ TEST(Answer, OfALightLoadHasTheErrorOfRounding) {
 
 /// The answer is drawn from three runs; the last one by itself is as far off as it says.
 TEST(Answer, IsBetterThanTheLastRun) {
-  const Experiment coarse = performed(scene_of("collision", {"impact.velocity=0.05"}));
-  const Experiment fine =
+  const ConvergenceStudy coarse = performed(scene_of("collision", {"impact.velocity=0.05"}));
+  const ConvergenceStudy fine =
       performed(scene_of("collision", {"impact.velocity=0.05", "numerics.error=1e-9"}));
   const double true_value = fine.answer();
   const double of_run = coarse.restitution_of_run().restitution;

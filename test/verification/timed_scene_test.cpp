@@ -1,4 +1,4 @@
-#include "verification/measurement.hpp"
+#include "verification/timed_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -44,14 +44,14 @@ TEST(LongestStep, IsAllowed) {
   }
 }
 
-TEST(Measurement, UpToATimeOrToTheAnswerGivesTheSameAnswer) {
+TEST(TimedScene, UpToATimeOrToTheAnswerGivesTheSameAnswer) {
   Scene scene = small_collision();
   scene.numerics.integrator = IntegratorKind::kVerlet;
   scene.numerics.step = 0.005;
-  Measurement to_answer(scene, Until::kAnswer);
+  TimedScene to_answer(scene, Until::kAnswer);
   to_answer.run(100.0);
   scene.output.period = 6.0;
-  Measurement to_time(scene, Until::kTime);
+  TimedScene to_time(scene, Until::kTime);
   to_time.run(100.0);
   ASSERT_TRUE(to_answer.has_answer());
   ASSERT_TRUE(to_time.has_answer());
@@ -62,17 +62,17 @@ TEST(Measurement, UpToATimeOrToTheAnswerGivesTheSameAnswer) {
   EXPECT_EQ(to_time.outcome().evaluations, 1201.0);
 }
 
-TEST(Measurement, IsGivenUpAfterAWhile) {
-  Measurement one(small_collision(), Until::kAnswer);
+TEST(TimedScene, IsGivenUpAfterAWhile) {
+  TimedScene one(small_collision(), Until::kAnswer);
   one.run(0.0);
   EXPECT_FALSE(one.has_answer());
   EXPECT_EQ(one.outcome().flags, "takes too long");
 }
 
-TEST(Measurement, TakesAFailureDown) {
+TEST(TimedScene, TakesAFailureDown) {
   Scene scene = small_collision();
   scene.numerics.step = 10.0;
-  Measurement one(scene, Until::kAnswer);
+  TimedScene one(scene, Until::kAnswer);
   one.run(100.0);
   EXPECT_FALSE(one.has_answer());
   EXPECT_NE(one.outcome().flags.find("numerics.step"), std::string::npos);
@@ -81,8 +81,8 @@ TEST(Measurement, TakesAFailureDown) {
 TEST(RepeatInTurn, LeavesOutWhatHasNoAnswerOrTookLong) {
   Effort effort;
   effort.rounds = 3;
-  std::vector<Measurement> list{{small_collision(), Until::kAnswer},
-                                {small_collision(), Until::kAnswer}};
+  std::vector<TimedScene> list{{small_collision(), Until::kAnswer},
+                               {small_collision(), Until::kAnswer}};
   list[0].run(0.0);
   list[1].run(100.0);
   repeat_in_turn(list, effort);

@@ -1,4 +1,4 @@
-#include "verification/measurement.hpp"
+#include "verification/timed_scene.hpp"
 
 #include <fmt/ranges.h>
 
@@ -12,7 +12,7 @@
 #include "fits/statistics.hpp"
 #include "output/interruption.hpp"
 #include "scene/scene_parameters.hpp"
-#include "series/experiment.hpp"
+#include "series/convergence_study.hpp"
 
 namespace impact {
 namespace {
@@ -45,15 +45,15 @@ Outcome run_to_time(const Scene& scene, const Stop& stop) {
 }
 
 Outcome run_to_answer(const Scene& scene, const Stop& stop) {
-  Experiment experiment(scene);
-  while (!experiment.finished()) {
+  ConvergenceStudy study(scene);
+  while (!study.finished()) {
     throw_if(stop);
-    experiment.advance(stop);
+    study.advance(stop);
   }
   Outcome outcome;
-  take_run(experiment.run(), outcome);
-  outcome.estimated_error = experiment.estimated_error();
-  outcome.answer = experiment.answer();
+  take_run(study.run(), outcome);
+  outcome.estimated_error = study.estimated_error();
+  outcome.answer = study.answer();
   return outcome;
 }
 
@@ -74,7 +74,7 @@ void throw_if_interrupted() {
   if (interrupted()) throw std::runtime_error("interrupted");
 }
 
-void Measurement::run(double longest) {
+void TimedScene::run(double longest) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point wall_start = Clock::now();
   const std::clock_t start = std::clock();
@@ -89,15 +89,15 @@ void Measurement::run(double longest) {
   wall_times_.push_back(std::chrono::duration<double>(Clock::now() - wall_start).count());
 }
 
-bool Measurement::is_verified() const {
+bool TimedScene::is_verified() const {
   return until_ == Until::kAnswer && !scene_.numerics.are_given();
 }
 
-double Measurement::spent() const { return std::accumulate(times_.begin(), times_.end(), 0.0); }
+double TimedScene::spent() const { return std::accumulate(times_.begin(), times_.end(), 0.0); }
 
-double Measurement::median_time() const { return median(times_); }
+double TimedScene::median_time() const { return median(times_); }
 
-double Measurement::median_wall_time() const { return median(wall_times_); }
+double TimedScene::median_wall_time() const { return median(wall_times_); }
 
 std::vector<double> Effort::errors() const {
   std::vector<double> list;
@@ -107,14 +107,14 @@ std::vector<double> Effort::errors() const {
   return list;
 }
 
-void repeat_in_turn(std::vector<Measurement>& measurements, const Effort& effort) {
+void repeat_in_turn(std::vector<TimedScene>& timed, const Effort& effort) {
   for (int round = 1; round < effort.rounds; ++round) {
-    for (std::size_t i = 0; i < measurements.size(); ++i) {
+    for (std::size_t i = 0; i < timed.size(); ++i) {
       throw_if_interrupted();
       const bool backwards = round % 2 == 1;
-      Measurement& measurement = measurements[backwards ? measurements.size() - 1 - i : i];
-      if (measurement.has_answer() && measurement.spent() < effort.most) {
-        measurement.run(2.0 * effort.longest);
+      TimedScene& timed_scene = timed[backwards ? timed.size() - 1 - i : i];
+      if (timed_scene.has_answer() && timed_scene.spent() < effort.most) {
+        timed_scene.run(2.0 * effort.longest);
       }
     }
   }
