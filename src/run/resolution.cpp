@@ -45,9 +45,13 @@ constexpr double kLongestWayOfOrder6 = 0.6;
 constexpr double kComparedError = 1e-8;
 
 /// The steps of these runs, each over the next. Where the stability limit allows it, longer ones
-/// make the first runs cheaper.
-constexpr double kLeastCoarsening = 1.12;
-constexpr double kMostCoarsening = 1.3;
+/// make the first runs cheaper; but errors of order 6 grow too fast with them.
+struct Coarsening {
+  double least;
+  double most;
+};
+constexpr Coarsening kCoarsening{1.12, 1.3};
+constexpr Coarsening kCoarseningOfOrder6{kRefinement, kRefinement};
 
 /// Of numerics.error: what an answer of three runs of order 2 aims at, and what others do.
 constexpr double kAimUnconfirmed = 0.1;
@@ -89,19 +93,21 @@ double longest_way(const Scene& scene, IntegratorKind integrator, int runs) {
   const ExtrapolationError& of = scene.is_damped() ? kErrorWithDamping : kErrorWithoutDamping;
   const double way = runs > 3 ? std::pow(kAim * error / of.four_runs, 1.0 / 4.0)
                               : std::pow(kAimUnconfirmed * error / of.three_runs, 1.0 / 4.0);
-  return std::min(way, kLongestResolvedWay / std::pow(kLeastCoarsening, runs - 1));
+  return std::min(way, kLongestResolvedWay / std::pow(kCoarsening.least, runs - 1));
 }
 
 /// The last of so many runs of an answer, as it is likely to be needed.
 Resolution last_of(int runs, const Scene& scene, IntegratorKind integrator, const Rates& rates) {
   const int leading = runs - 1;
+  const bool is_of_order_2 = order_of(integrator) == 2;
+  const Coarsening& by = is_of_order_2 ? kCoarsening : kCoarseningOfOrder6;
   const double wall_rate = scene.wall.a * scene.impact.approach_velocity();
   double longest = longest_step(scene, integrator, rates);
-  const double step = std::min(longest / std::pow(kLeastCoarsening, leading),
+  const double step = std::min(longest / std::pow(by.least, leading),
                                longest_way(scene, integrator, runs) / wall_rate);
   const double rounded = dividing_resets(scene, round_step_down(step, unit_of(integrator)));
-  if (order_of(integrator) == 2) longest = std::min(longest, kLongestResolvedWay / wall_rate);
-  const double coarsening = std::min(kMostCoarsening, std::pow(longest / rounded, 1.0 / leading));
+  if (is_of_order_2) longest = std::min(longest, kLongestResolvedWay / wall_rate);
+  const double coarsening = std::min(by.most, std::pow(longest / rounded, 1.0 / leading));
   return {integrator, rounded, 0.0, 0.0, leading, coarsening};
 }
 

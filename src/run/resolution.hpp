@@ -77,15 +77,15 @@ double steps_of_all_runs(const Resolution& last);
 /// velocity Verlet and Blanes–Moan; with damping velocity Verlet, implicit and extrapolated
 /// damping) the one of least cost, force evaluations and linear solutions counted, at the step that
 /// is likely to give the wanted error. In a collision two or three more runs come before, each
-/// with a step 1.12 to 1.3 times that of the next. The longest is at most 0.96 of the stability
-/// limit, the wall at its expected stiffest counted, and 0.1 R/c. For methods of order 2 it is at
-/// most 0.5/(a v), so that the runs show their order, and the error of the extrapolated e, as it is
-/// estimated, is some 10⁻⁴ (a v h)⁴ of the shortest (the coefficients stand with the code). Three
-/// runs aim at a twentieth of numerics.error, since above a tenth a fourth one has to confirm them;
-/// four at half of it; the cheaper plan is taken. For methods of order 6 the shortest step is at
-/// most 0.6/(a v), and three runs compared give an error of 10⁻⁸ (a v h)⁶, half of numerics.error.
-/// The shortest step is a multiple or a whole part of 0.02 R/c, so that the usual output periods
-/// are multiples of it.
+/// with a step 1.12 to 1.3 times that of the next (1.2 times for order 6). The longest is at most
+/// 0.96 of the stability limit, the wall at its expected stiffest counted, and 0.1 R/c. For methods
+/// of order 2 it is at most 0.5/(a v), so that the runs show their order, and the error of the
+/// extrapolated e, as it is estimated, is some 10⁻⁴ (a v h)⁴ of the shortest (the coefficients
+/// stand with the code). Three runs aim at a twentieth of numerics.error, since above a tenth a
+/// fourth one has to confirm them; four at half of it; the cheaper plan is taken. For methods of
+/// order 6 the shortest step is at most 0.6/(a v), and three runs compared give an error of 10⁻⁸ (a
+/// v h)⁶, half of numerics.error. The shortest step is a multiple or a whole part of 0.02 R/c, so
+/// that the usual output periods are multiples of it.
 ///
 /// Where velocities are reset at intervals, the step, given or not, is shortened to divide them.
 /// @throw InputError when a given step exceeds the stability limit of the lattice and its damping.

@@ -134,9 +134,10 @@ TEST(FirstResolution, TakesAGivenStepUpToTheLimit) {
   EXPECT_EQ(step(scene, spectrum), 0.021);
 }
 
+/// Where the wall, not the lattice, sets the step.
 TEST(FirstResolution, AutoGoesToHigherOrderForSmallErrors) {
   const Spectrum undamped{8100.0, 0.0};
-  Scene scene = scene_with(IntegratorKind::kAuto, 0.05, 0.0);
+  Scene scene = scene_with(IntegratorKind::kAuto, 0.1, 0.0);
   EXPECT_EQ(first(scene, undamped).integrator, IntegratorKind::kVerlet);
   scene.numerics.error = 1e-10;
   EXPECT_EQ(first(scene, undamped).integrator, IntegratorKind::kBlanesMoan);
