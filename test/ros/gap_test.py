@@ -41,7 +41,8 @@ def as_bytes(kind, content):
 
 
 def is_message(kind, content, phase):
-    """And of this phase: a run whose end is not announced goes on as long as its publisher is there."""
+    """And of this phase: a run whose end is not announced goes on as long as its publisher is there
+    (for which a status is not cut, either)."""
     try:
         message = kind().deserialize(content)
     except (genpy.DeserializationError, struct.error):
@@ -53,7 +54,7 @@ def damaged(message, chance):
     """Cut, or with one byte changed. Bytes of lengths stay: roscpp asks for the memory that a
     message says it needs before it hands it to anybody."""
     kind, content = type(message), bytearray(bits(message))
-    if chance.random() < 0.2:
+    if not hasattr(message, 'phase') and chance.random() < 0.2:
         return as_bytes(kind, content[:chance.randrange(len(content))])
     while True:
         changed = bytearray(content)
