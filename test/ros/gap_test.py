@@ -14,8 +14,8 @@ import rospy
 import rostest
 from lattice_impact.msg import ContactForces, Lattice, ParticleStates, RunStatus
 
-from programs import (IMPACT_RESULTS, PACKAGE, SMALL_COLLISION, TIMEOUT, analysis, bag_messages, bits,
-                      impact, poll_until, random_namespace, simulation)
+from programs import (IMPACT_RESULTS, PACKAGE, SMALL_COLLISION, TIMEOUT, analysis, bag_messages,
+                      bits, impact, poll_until, random_namespace, simulation)
 from results import Results
 
 TOPICS = {'lattice': Lattice, 'particle_states': ParticleStates, 'contact_forces': ContactForces,
