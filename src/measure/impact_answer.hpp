@@ -36,6 +36,13 @@ inline bool is_of_sliding(const std::string& name) {
          name == "tangential_energy" || name == "rotation_energy";
 }
 
+/// Whether a number is read off the forces at the steps: its error depends on how they happen to
+/// fall, and shows no order.
+inline bool is_read_off_steps(const std::string& name) {
+  return name == "contact_begin" || name == "contact_end" || name == "contact_duration" ||
+         name == "peak_force";
+}
+
 /// What an impact did to the disk, as all its runs together say.
 struct ImpactAnswer {
   Restitution value;

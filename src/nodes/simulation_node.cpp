@@ -24,7 +24,8 @@ constexpr Eigen::Index kMostPointsKept = 1000000;  // between the check and the 
 /// What the bag of a run may have at most, in bytes, as far as its time is known.
 double expected_size(const Scene& scene, const Composition& composition) {
   const auto points = static_cast<double>(composition.initial.position.rows());
-  const double states = composition.expected_time / scene.output.period + 2.0;
+  constexpr double kShortest = 1.0 / 1.5;  // of output.period: whole steps nearest to it
+  const double states = composition.expected_time / (kShortest * scene.output.period) + 2.0;
   const double samples = scene.output.period / composition.resolution.step + 1.0;
   // x, y, vx, vy, and a force on every fourth point; both messages' other fields, records and
   // index.
@@ -205,7 +206,8 @@ Restitution SimulationNode::publish_run(Run& run, const Scene& scene) {
   while (!run.finished() && !asked_to_end()) {
     run.advance(asked_to_end);
     publish_output(run, analysis);
-    progress_->note_states(status_.states, run.expected_time() / scene.output.period);
+    progress_->note_states(status_.states,
+                           run.expected_time() / output_interval(scene, run.system().step_size()));
   }
   return analysis.restitution(run.finished() && !run.has_flag(Flag::kNotSeparated));
 }

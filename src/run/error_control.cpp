@@ -218,7 +218,8 @@ void ErrorControl::conclude(double noise) {
   answer_ = {finest, {}};
   for (const auto& [name, number] : impact_numbers<Restitution>()) {
     for (std::size_t k = 0; k < count; ++k) samples[k].value = runs[k].measured.*number;
-    const ConvergedValue estimate = converged(samples, order());
+    const ConvergedValue estimate =
+        converged(samples, is_read_off_steps(name) ? std::nullopt : order());
     answer_.value.*number = estimate.value;
     answer_.error.*number = estimate.error + noise * std::abs(estimate.value);
   }

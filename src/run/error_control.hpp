@@ -44,7 +44,8 @@ struct FinishedImpact {
 ///   of their force could change e by numerics.error,
 /// - where the lattice folds, or the wall is cut off at wall.threshold: these scatter most, so five
 ///   runs are compared,
-/// - for an adaptive integrator, the tolerance of which stands for the square of a step.
+/// - for an adaptive integrator, the tolerance of which stands for the square of a step,
+/// - for numbers that are read off the steps, see is_read_off_steps().
 ///
 /// An impact that is oblique or spins is good when e is, the tangential restitution β to within
 /// numerics.error, and the spin to within that part of the disk's speed and its spin at the start.

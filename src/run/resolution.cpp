@@ -57,14 +57,6 @@ constexpr Coarsening kCoarseningOfOrder6{kRefinement, kRefinement};
 constexpr double kAimUnconfirmed = 0.1;
 constexpr double kAim = 0.5;
 
-/// Steps are multiples of this, R/c, or whole parts of it; of methods whose longest step is longer
-/// than it, whole parts of twice as much.
-constexpr double kUnit = 0.02;
-
-double unit_of(IntegratorKind integrator) {
-  return order_of(integrator) == 2 ? kUnit : 2.0 * kUnit;
-}
-
 /// With the wall as stiff as Simulation forecasts it at the start of a step.
 double longest_step(const Scene& scene, IntegratorKind integrator, const Rates& rates) {
   constexpr int kHalvings = 30;
@@ -103,12 +95,12 @@ Resolution last_of(int runs, const Scene& scene, IntegratorKind integrator, cons
   const Coarsening& by = is_of_order_2 ? kCoarsening : kCoarseningOfOrder6;
   const double wall_rate = scene.wall.a * scene.impact.approach_velocity();
   double longest = longest_step(scene, integrator, rates);
-  const double step = std::min(longest / std::pow(by.least, leading),
-                               longest_way(scene, integrator, runs) / wall_rate);
-  const double rounded = dividing_resets(scene, round_step_down(step, unit_of(integrator)));
+  const double step =
+      dividing_resets(scene, std::min(longest / std::pow(by.least, leading),
+                                      longest_way(scene, integrator, runs) / wall_rate));
   if (is_of_order_2) longest = std::min(longest, kLongestResolvedWay / wall_rate);
-  const double coarsening = std::min(by.most, std::pow(longest / rounded, 1.0 / leading));
-  return {integrator, rounded, 0.0, 0.0, leading, coarsening};
+  const double coarsening = std::min(by.most, std::pow(longest / step, 1.0 / leading));
+  return {integrator, step, 0.0, 0.0, leading, coarsening};
 }
 
 /// Of all runs of an answer, over a time of 1 R/c.
@@ -118,8 +110,7 @@ double cost_of(const Scene& scene, const Resolution& last) {
 
 Resolution fixed_resolution(const Scene& scene, IntegratorKind integrator, const Rates& rates) {
   if (scene.kind != SceneKind::kCollision) {
-    const double longest = round_step_down(longest_step(scene, integrator, rates), kUnit);
-    return {integrator, dividing_resets(scene, longest)};
+    return {integrator, dividing_resets(scene, longest_step(scene, integrator, rates))};
   }
   const Resolution of_three = last_of(3, scene, integrator, rates);
   if (order_of(integrator) != 2) return of_three;
@@ -286,17 +277,13 @@ Resolution finer(const Scene& scene, const Resolution& resolution, double factor
   if (is_adaptive(resolution.integrator)) {
     next.tolerance /= std::pow(factor, kToleranceOrder);
   } else {
-    next.step = dividing_resets(
-        scene, round_step_down(resolution.step / factor, unit_of(resolution.integrator)));
+    next.step = dividing_resets(scene, resolution.step / factor);
   }
   return next;
 }
 
-double round_step_down(double value, double unit) {
-  constexpr double kRounding = 1e-9;
-  const double units = value / kUnit;
-  return value >= unit * (1.0 - kRounding) ? kUnit * std::floor(units + kRounding)
-                                           : unit / std::ceil(unit / value - kRounding);
+double output_interval(const Scene& scene, double step) {
+  return step * std::max(1.0, std::round(scene.output.period / step));
 }
 
 void refuse_missing_integrator(const Scene& scene) {

@@ -84,8 +84,7 @@ double steps_of_all_runs(const Resolution& last);
 /// stand with the code). Three runs aim at a twentieth of numerics.error, since above a tenth a
 /// fourth one has to confirm them; four at half of it; the cheaper plan is taken. For methods of
 /// order 6 the shortest step is at most 0.6/(a v), and three runs compared give an error of 10⁻⁸ (a
-/// v h)⁶, half of numerics.error. The shortest step is a multiple or a whole part of 0.02 R/c, so
-/// that the usual output periods are multiples of it.
+/// v h)⁶, half of numerics.error.
 ///
 /// Where velocities are reset at intervals, the step, given or not, is shortened to divide them.
 /// @throw InputError when a given step exceeds the stability limit of the lattice and its damping.
@@ -103,9 +102,9 @@ std::optional<Resolution> better_integrator(const Scene& scene, const Resolution
 /// its tolerance smaller by its power of kToleranceOrder.
 Resolution finer(const Scene& scene, const Resolution& resolution, double factor);
 
-/// The longest step not above `value` (R/c) that is a multiple of 0.02 R/c, at least `unit`, or a
-/// whole part of `unit`.
-double round_step_down(double value, double unit);
+/// Time between the states that a run gives out (R/c): the whole number of steps, at least one,
+/// that is nearest to output.period.
+double output_interval(const Scene& scene, double step);
 
 /// Makes an integrator of fixed step, for one run or for lanes.
 /// @throw std::logic_error for a kind that is none.

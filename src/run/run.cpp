@@ -54,12 +54,12 @@ bool is_beside_wall(const Scene& scene, const System& system) {
                                    scene.numerics.error * impact_energy(scene, system.field());
 }
 
-/// To the first step at or after the next output time.
-void step_to_output(Simulation& simulation, double period, Run& run,
+/// To the next output time, a step where steps are not shortened on the way.
+void step_to_output(Simulation& simulation, double interval, Run& run,
                     const std::function<bool()>& stop) {
-  constexpr double kRounding = 1e-6;  // of a period
+  constexpr double kRounding = 1e-6;  // of an interval
   const double target =
-      (std::floor(simulation.time() / period + kRounding) + 1.0 - kRounding) * period;
+      (std::floor(simulation.time() / interval + kRounding) + 1.0 - kRounding) * interval;
   while (!run.finished() && simulation.time() < target) {
     simulation.step();
     run.observe_step();
@@ -74,9 +74,8 @@ DrivenSystem simulated(const Scene& scene, const Composition& composition,
       resolution.step, make_integrator(scene, resolution, composition.rates.sound_speed));
   Simulation& driven = *simulation;
   return {std::move(simulation),
-          [&driven, period = scene.output.period](Run& run, const auto& stop) {
-            step_to_output(driven, period, run, stop);
-          }};
+          [&driven, interval = output_interval(scene, resolution.step)](
+              Run& run, const auto& stop) { step_to_output(driven, interval, run, stop); }};
 }
 
 DrivenSystem solved(const Scene& scene, const Composition& composition) {

@@ -50,7 +50,7 @@ class Run {
   Run(const Scene& scene, std::shared_ptr<const Composition> composition,
       const Resolution& resolution, DrivenSystem driven);
 
-  /// Of a system that has a drive. Goes on to the first step at or after the next output time, or
+  /// Of a system that has a drive. Goes on to the next output time, see output_interval(), or
   /// to the end if that comes first, or to where `stop`, asked every 64 steps, says true. The
   /// output times do not touch the motion. Where the answer is static there is no motion: the first
   /// call goes to the static solution, which is the end, or to where `stop`, asked at each of its

@@ -298,7 +298,8 @@ Keys numerics_keys() {
               "a scene that is forecast to take longer on one processor is refused",
               [](auto& s) -> auto& { return s.numerics.longest; }),
           only(is_moved, real<Scene>(
-                             "output.period", "R/c", {1e-6, 1e6}, "time between published states",
+                             "output.period", "R/c", {1e-6, 1e6},
+                             "time between published states, rounded to whole steps",
                              [](auto& s) -> auto& { return s.output.period; }))};
 }
 

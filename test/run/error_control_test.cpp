@@ -67,7 +67,7 @@ TEST(ErrorControl, ComparesThreeOrFourRunsEachFinerThanTheLast) {
     const Play play(scene_with(error), {});
     EXPECT_EQ(play.runs, error < 1e-5 ? 4 : 3);
     const double factor = play.steps[0] / play.steps[1];
-    EXPECT_GE(factor, 1.12);
+    EXPECT_GE(factor, 1.12 * (1.0 - 1e-12));
     EXPECT_LE(factor, 1.3);
     for (std::size_t k = 2; k < play.steps.size(); ++k) {
       EXPECT_DOUBLE_EQ(play.steps[k - 1] / play.steps[k], factor);
@@ -151,8 +151,7 @@ TEST(ErrorControl, RefinesByThePowerThatIsLeft) {
   const Scene scene = scene_with(1e-4);
   const Play play(scene, with_doubt(20e-4, scene));
   const double factor = std::pow(2.0 * 20.0, 1.0 / 4.0);
-  // Steps are whole parts of 0.02 R/c.
-  EXPECT_NEAR(play.steps[2] / play.steps[3], factor, 0.2 * factor);
+  EXPECT_NEAR(play.steps[2] / play.steps[3], factor, 0.05 * factor);
 }
 
 /// Where a point crosses the wall's range in two steps, agreement with an order is chance.
@@ -532,13 +531,18 @@ TEST(ErrorControl, TakesARunOfGivenStepAsItIs) {
   EXPECT_TRUE(std::isnan(play.control.answer().error.restitution));
 }
 
-/// All numbers of an impact are extrapolated alike.
+/// All numbers of an impact are extrapolated alike, except those that are read off the steps: they
+/// are those of the last run, in doubt by the range of all.
 TEST(ErrorControl, GivesEveryNumberAnError) {
-  const Play play(scene_with(1e-6), {[](double h) { return h * h; }});
+  const auto error = [](double h) { return h * h; };
+  const Play play(scene_with(1e-6), {error});
+  const double of_run = error(play.steps.back());
   for (const auto& [name, number] : impact_numbers<Restitution>()) {
-    EXPECT_NEAR(play.control.answer().value.*number, kTrue, 1e-6) << name;
-    EXPECT_GT(play.control.answer().error.*number, 0.0) << name;
-    EXPECT_LT(play.control.answer().error.*number, 1e-6) << name;
+    const bool is_read = is_read_off_steps(name);
+    EXPECT_NEAR(play.control.answer().value.*number, kTrue * (1.0 + (is_read ? of_run : 0.0)), 1e-6)
+        << name;
+    EXPECT_GT(play.control.answer().error.*number, is_read ? kTrue * of_run : 0.0) << name;
+    EXPECT_LT(play.control.answer().error.*number, is_read ? 10.0 * kTrue * of_run : 1e-6) << name;
   }
 }
 

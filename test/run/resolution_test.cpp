@@ -83,19 +83,8 @@ TEST(Integrators, OfFixedStepAreMade) {
   }
 }
 
-TEST(RoundStepDown, FindsMultiplesAndWholeParts) {
-  EXPECT_DOUBLE_EQ(round_step_down(0.0099, 0.02), 0.02 / 3.0);
-  EXPECT_DOUBLE_EQ(round_step_down(0.02 * (1.0 - 1e-12), 0.02), 0.02);
-  EXPECT_DOUBLE_EQ(round_step_down(0.07, 0.02), 0.06);
-  EXPECT_DOUBLE_EQ(round_step_down(0.019, 0.02), 0.01);
-  EXPECT_DOUBLE_EQ(round_step_down(1e-6, 0.02), 1e-6);
-  EXPECT_DOUBLE_EQ(round_step_down(0.019, 0.04), 0.04 / 3.0);
-  EXPECT_DOUBLE_EQ(round_step_down(0.07, 0.04), 0.06);
-}
-
 /// Stable with the wall at its stiffest; and not needlessly short: where accuracy asks for nothing,
-/// at least half of 0.96 of the limit, since whole parts differ by 2 at most, after two runs with
-/// steps up to 1.3 times as long each.
+/// 0.96 of the limit over that of two runs with steps up to 1.3 times as long each.
 TEST(FirstResolution, StaysBelowTheLimitOfLatticeDampingAndWall) {
   for (const auto integrator :
        {IntegratorKind::kVerlet, IntegratorKind::kBlanesMoan, IntegratorKind::kImplicitDamping,
@@ -109,7 +98,7 @@ TEST(FirstResolution, StaysBelowTheLimitOfLatticeDampingAndWall) {
             step_limit(integrator, spectrum.omega_squared + wall * kPoints, spectrum.gamma);
         EXPECT_LE(step(scene, spectrum), 0.96 * limit);
         if (velocity < 0.1) {
-          EXPECT_GE(step(scene, spectrum), std::min(0.1, 0.96 * limit) / 2.0 / 1.69);
+          EXPECT_GE(step(scene, spectrum), std::min(0.1, 0.96 * limit) / 1.69);
         }
       }
     }
@@ -241,8 +230,7 @@ TEST(Rates, CountBothEndsOfAContact) {
 
 TEST(Finer, ShortensTheStepByTheFactorAtLeast) {
   const Resolution coarse{IntegratorKind::kVerlet, 0.02, 0.0};
-  EXPECT_DOUBLE_EQ(finer(Scene{}, coarse, 1.5).step, 0.01);
-  EXPECT_DOUBLE_EQ(finer(Scene{}, coarse, 2.5).step, 0.02 / 3.0);
+  EXPECT_DOUBLE_EQ(finer(Scene{}, coarse, 1.5).step, 0.02 / 1.5);
   Scene scene;
   scene.wall.kind = WallKind::kLattice;  // resets every 0.004 R/c
   EXPECT_EQ(finer(scene, {IntegratorKind::kVerlet, 0.004, 0.0}, 1.5).step, 0.002);

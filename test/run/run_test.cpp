@@ -147,26 +147,17 @@ TEST(Collision, StopsBetweenOutputsWhenAsked) {
 }
 
 /// Where the step does not divide the period, a state comes at the first step at or after it.
-TEST(Collision, StatesFollowTheOutputTimes) {
-  Scene scene;
-  scene.output.period = 0.017;
-  impact::Run run(scene);
-  for (int k = 1; k <= 50; ++k) {
-    run.advance();
-    EXPECT_GE(run.state().time, 0.017 * k - 1e-12);
-    EXPECT_LT(run.state().time, 0.017 * k + run.system().step_size());
-  }
-}
-
-TEST(Collision, StatesLandOnTheOutputTimes) {
-  const Scene scene;
-  const auto composition = compose_shared(scene);
-  ErrorControl control(scene, *composition);
-  control.find_resolution(composition, [] { return false; });
-  impact::Run run(scene, composition, control.resolution());
-  for (int k = 1; k <= 50; ++k) {
-    run.advance();
-    EXPECT_NEAR(run.state().time, 0.02 * k, 1e-12);
+/// Whole numbers of steps apart, the one nearest to the period, and one where steps are longer.
+TEST(Collision, StatesAreEvenlySpacedNearestToTheOutputPeriod) {
+  for (const auto& [period, steps] : {std::pair{0.017, 2}, {0.024, 2}, {0.0254, 3}, {1e-3, 1}}) {
+    Scene scene;
+    scene.numerics.step = 0.01;
+    scene.output.period = period;
+    impact::Run run(scene);
+    for (int k = 1; k <= 50; ++k) {
+      run.advance();
+      EXPECT_NEAR(run.state().time, 0.01 * steps * k, 1e-12);
+    }
   }
 }
 
