@@ -36,7 +36,7 @@ struct ExtrapolationError {
   double three_runs;
   double four_runs;  ///< of which the fourth confirms the others
 };
-constexpr ExtrapolationError kErrorWithoutDamping{1e-4, 3e-5};
+constexpr ExtrapolationError kErrorWithoutDamping{2e-4, 3e-5};
 constexpr ExtrapolationError kErrorWithDamping{3e-5, 2e-5};
 /// Of a v h, for the shortest of three steps of order 6: their errors are so small that they need
 /// not be extrapolated. And the error that comparing the three then gives, over (a v h)⁶, as
