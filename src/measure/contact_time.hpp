@@ -2,7 +2,6 @@
 
 #include <deque>
 #include <limits>
-#include <utility>
 
 namespace impact {
 
@@ -16,29 +15,42 @@ struct ForceSample {
 constexpr double kContactFraction = 1.0e-3;
 
 /// Finds, from the force at every step, its peak and the first and last instant at which it
-/// crosses kContactFraction of the peak. Between two steps the force is taken as exponential in
-/// time, which it is for a steady approach to the potential wall. Keeps only the steps of the rise
-/// that may still turn out to be the first crossing.
+/// crosses kContactFraction of the peak.
+///
+/// Between steps the peak is that of the parabola through the largest force and its neighbours. A
+/// crossing is where the cubic through the logarithms of four forces crosses: two on either side;
+/// of fewer, or where one is not positive, the line through two. On a steady approach to the
+/// potential wall the logarithm is linear. So the errors go with the third power of the
+/// step, and how the steps happen to fall hardly shows. Keeps only the steps of the rise that may
+/// still turn out to be the first crossing.
 class ContactTime {
  public:
   void add(const ForceSample& sample);
 
-  double peak_force() const { return peak_; }          ///< M c²/R; NaN before the first sample
+  double peak_force() const;                           ///< M c²/R; NaN before the first sample
   double begin() const;                                ///< R/c; NaN without contact
   double end() const;                                  ///< R/c; NaN while contact lasts
   double duration() const { return end() - begin(); }  ///< R/c
 
  private:
-  using Step = std::pair<ForceSample, ForceSample>;
   static constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  static constexpr ForceSample kNone{kNaN, kNaN};
+
+  /// A step and the samples beside it.
+  struct Step {
+    ForceSample before = kNone;
+    ForceSample from = kNone;
+    ForceSample to = kNone;
+    ForceSample after = kNone;
+  };
 
   double crossing(const Step& step) const;
-  double threshold() const { return kContactFraction * peak_; }
+  double threshold() const { return kContactFraction * largest_.to.force; }
 
-  double peak_ = kNaN;
-  ForceSample last_{kNaN, 0.0};
+  Step last_;
+  Step largest_;  ///< to the largest force
   std::deque<Step> rise_;
-  Step fall_{{kNaN, kNaN}, {kNaN, kNaN}};
+  Step fall_;
 };
 
 }  // namespace impact

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace impact {
@@ -25,6 +26,41 @@ TEST(ContactTime, OfAnExponentialPulseIsExactWhateverTheStep) {
     EXPECT_NEAR(contact.duration(), 2.0 * std::log(1000.0), 1e-12);
     EXPECT_EQ(contact.peak_force(), 2.0);
   }
+}
+
+/// F = exp(t − eᵗ), the largest at t = 0, steep on one side: in error by powers of the step,
+/// wherever the steps fall.
+TEST(ContactTime, OfASmoothPulseConvergesWhateverThePhase) {
+  // t − eᵗ = −1 − ln 1000
+  const double begin = -7.9073872641309535;
+  const double end = 2.3256581974694486;
+  const auto log_of = [](double t) { return t - std::exp(t); };
+  ASSERT_NEAR(log_of(begin), -1.0 - std::log(1000.0), 1e-8);
+  ASSERT_NEAR(log_of(end), -1.0 - std::log(1000.0), 1e-8);
+  struct Errors {
+    double peak, begin, end;
+  };
+  const auto errors = [&](double step) {
+    Errors largest{};
+    for (double phase = 0.0; phase < 1.0; phase += 0.1) {
+      ContactTime contact;
+      for (double t = -10.0 + phase * step; t < 3.0; t += step) {
+        contact.add({t, std::exp(log_of(t))});
+      }
+      largest.peak = std::max(largest.peak, std::abs(contact.peak_force() - std::exp(-1.0)));
+      largest.begin = std::max(largest.begin, std::abs(contact.begin() - begin));
+      largest.end = std::max(largest.end, std::abs(contact.end() - end));
+    }
+    return largest;
+  };
+  const Errors coarse = errors(0.1);
+  const Errors fine = errors(0.05);
+  EXPECT_LT(fine.peak, 1e-5);
+  EXPECT_LT(fine.begin, 1e-5);  // by that of the peak
+  EXPECT_LT(fine.end, 1e-6);
+  EXPECT_GT(coarse.peak, 7.0 * fine.peak);  // power 3
+  EXPECT_GT(coarse.begin, 7.0 * fine.begin);
+  EXPECT_GT(coarse.end, 7.0 * fine.end);
 }
 
 /// A first bump below the threshold of the later peak does not count, one above it does, and the
