@@ -18,6 +18,19 @@ double ratio_of_order(const Sample& coarse, const Sample& middle, const Sample& 
   return (std::pow(coarse.step, p) - middle_power) / (middle_power - fine_power);
 }
 
+double range(const std::vector<Sample>& runs) {
+  const auto [least, most] = std::minmax_element(
+      runs.begin(), runs.end(), [](const Sample& a, const Sample& b) { return a.value < b.value; });
+  return most->value - least->value;
+}
+
+/// Of what falls at least as fast as errors of half the order do: that, else 1.
+double safe_power(const Sample& coarse, const Sample& middle, const Sample& fine, int order) {
+  const double observed = (coarse.value - middle.value) / (middle.value - fine.value);
+  const double power = 0.5 * order;
+  return observed >= ratio_of_order(coarse, middle, fine, power) ? power : 1.0;
+}
+
 bool shows_order(const Sample& coarse, const Sample& middle, const Sample& fine, int order) {
   const double observed = (coarse.value - middle.value) / (middle.value - fine.value);
   const auto is_between = [&](double low, double high) {
@@ -49,24 +62,28 @@ ConvergedValue extrapolated(const Sample& coarse, const Sample& middle, const Sa
   return {second.limit + correction, kExtrapolationMargin * std::abs(correction)};
 }
 
-ConvergedValue compared(const std::vector<Sample>& runs, bool scatter) {
-  const auto [least, most] = std::minmax_element(
-      runs.begin(), runs.end(), [](const Sample& a, const Sample& b) { return a.value < b.value; });
-  double coarseness = runs.front().step / runs.back().step - 1.0;
-  if (scatter) coarseness = std::min(1.0, coarseness);
-  return {runs.back().value, kPlainMargin * (most->value - least->value) / coarseness};
+ConvergedValue compared(const std::vector<Sample>& runs, double power) {
+  const double coarseness = std::pow(runs.front().step / runs.back().step, power) - 1.0;
+  return {runs.back().value, kPlainMargin * range(runs) / coarseness};
+}
+
+ConvergedValue compared_with_scatter(const std::vector<Sample>& runs) {
+  const ConvergedValue ordered = compared(runs, 1.0);
+  return {ordered.value, std::max(ordered.error, kPlainMargin * range(runs))};
 }
 
 ConvergedValue converged(const std::vector<Sample>& runs, std::optional<int> order) {
-  if (!order) return compared(runs, true);
-  const ConvergedValue plain = compared({runs.end() - 3, runs.end()}, false);
+  if (!order) return compared_with_scatter(runs);
   const Sample* const finest = &runs.back();
+  const ConvergedValue plain =
+      compared({runs.end() - 3, runs.end()}, safe_power(finest[-2], finest[-1], finest[0], *order));
   if (!shows_order(finest[-2], finest[-1], finest[0], *order)) return plain;
   ConvergedValue limit = extrapolated(finest[-2], finest[-1], finest[0], *order);
   if (runs.size() > 3) {
     if (!shows_order(finest[-3], finest[-2], finest[-1], *order)) return plain;
     const ConvergedValue before = extrapolated(finest[-3], finest[-2], finest[-1], *order);
-    const double gain = std::pow(finest[-1].step / finest[0].step, *order) - 1.0;
+    const double refinement = std::cbrt(finest[-3].step / finest[0].step);
+    const double gain = std::pow(refinement, *order) - 1.0;
     limit.error = std::max(kConfirmed * limit.error, std::abs(limit.value - before.value) / gain);
   }
   return limit.error <= plain.error ? limit : plain;

@@ -23,7 +23,7 @@ class EndOfRun {
 };
 
 /// The disk has left what it met for good: the contact has held more than the negligible energy of
-/// expected_time.hpp, and from now on its energy cannot exceed numerics.error/100 of that of the
+/// expected_time.hpp, and from now on its energy cannot exceed numerics.error/1000 of that of the
 /// centre of mass, which moves away (see FreeFlight). Looked at every 16 steps.
 class SeparationEnd : public EndOfRun {
  public:
@@ -37,7 +37,7 @@ class SeparationEnd : public EndOfRun {
  private:
   double velocity_before_;
   double negligible_energy_;
-  double negligible_fraction_;
+  double remaining_fraction_;
   FreeFlight flight_;
   bool touched_ = false;
   double time_under_way_ = 0.0;

@@ -31,6 +31,10 @@ double contact_time_at_most(double sound_speed, double velocity);
 /// The fraction of a kinetic energy that counts as none: numerics.error/100.
 double negligible_fraction(const Scene& scene);
 
+/// The fraction of its kinetic energy that the contact may still hold when a body has left for
+/// good: numerics.error/1000.
+double remaining_fraction(const Scene& scene);
+
 /// Whether the scene is one of motion at an elastic wall whose velocities are reset at intervals.
 bool has_resets(const Scene& scene);
 

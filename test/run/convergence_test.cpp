@@ -77,16 +77,20 @@ TEST(Converged, DoubtsALimitThatChanges) {
 /// Errors of A h: A (h_coarsest − h_finest) over h_coarsest/h_finest − 1 is that of the finest.
 TEST(Compared, OfFirstOrderIsThreeTimesTheError) {
   const auto runs = runs_of([](double h) { return 0.1 * h; }, 4);
-  for (const bool scatter : {false, true}) {
-    EXPECT_NEAR(compared(runs, scatter).error, 3.0 * 0.1 * 0.01, 1e-14);
-  }
+  EXPECT_NEAR(compared(runs, 1.0).error, 3.0 * 0.1 * 0.01, 1e-14);
+  EXPECT_NEAR(compared_with_scatter(runs).error, 3.0 * 0.1 * 0.01, 1e-14);
+}
+
+TEST(Compared, OfAPowerIsThreeTimesItsError) {
+  const auto runs = runs_of([](double h) { return 0.1 * h * h * h; }, 3);
+  EXPECT_NEAR(compared(runs, 3.0).error, 3.0 * 0.1 * 1e-6, 1e-15);
 }
 
 /// Steps far apart take nothing off the range of values that scatter.
 TEST(Compared, OfScatterIsThreeTimesTheRange) {
   const std::vector<Sample> runs{{0.1, 1.0}, {0.05, 1.3}, {0.01, 1.2}};
-  EXPECT_DOUBLE_EQ(compared(runs, true).error, 3.0 * 0.3);
-  EXPECT_DOUBLE_EQ(compared(runs, false).error, 3.0 * 0.3 / 9.0);
+  EXPECT_DOUBLE_EQ(compared_with_scatter(runs).error, 3.0 * 0.3);
+  EXPECT_DOUBLE_EQ(compared(runs, 1.0).error, 3.0 * 0.3 / 9.0);
 }
 
 struct Sequence {
@@ -185,6 +189,25 @@ TEST(Converged, DoubtsTheLimitByThatOfTheCoarserRuns) {
   EXPECT_NEAR(converged(runs, 2).error, std::abs(before - 1.0) / (1.2 * 1.2 - 1.0), 1e-13);
 }
 
+/// A last step that is much shorter does not make up for the longer ones which its limit rests on,
+/// too: here a third power beside the second.
+TEST(Converged, DoubtsTheLimitByAllItsSteps) {
+  std::vector<Sample> runs;
+  for (const double h : {0.0173, 0.0144, 0.012, 0.006})
+    runs.push_back({h, 1.0 + h * h + h * h * h});
+  const auto result = converged(runs, 2);
+  EXPECT_NE(result.value, runs.back().value);
+  EXPECT_LT(true_error(result), result.error);
+}
+
+/// Of a method of order 6 that shows another order: by the third power if the values fall so fast.
+TEST(Converged, ComparesByHalfTheOrderWhereItIsSeen) {
+  for (const double power : {2.9, 3.1, 5.0, 7.0, 9.0}) {
+    const auto runs = runs_of([power](double h) { return std::pow(h / 0.02, power); }, 3);
+    EXPECT_EQ(converged(runs, 6).error, compared(runs, power > 3.0 ? 3.0 : 1.0).error) << power;
+  }
+}
+
 /// Three runs that show an order count if the three before them show it too: here the coarsest run
 /// is too coarse, and the other three agree with order 2 by themselves.
 TEST(Converged, BelievesAnOrderThatWasNotSeenBeforeOnlyTwice) {
@@ -194,7 +217,7 @@ TEST(Converged, BelievesAnOrderThatWasNotSeenBeforeOnlyTwice) {
     runs[0].value += off;
     const std::vector<Sample> four(runs.begin(), runs.end() - 1);
     EXPECT_EQ(converged(four, 2).value, four.back().value);
-    EXPECT_EQ(converged(four, 2).error, compared({four.begin() + 1, four.end()}, false).error);
+    EXPECT_EQ(converged(four, 2).error, compared({four.begin() + 1, four.end()}, 1.0).error);
     const std::vector<Sample> next(runs.begin() + 1, runs.end());
     EXPECT_NEAR(converged(next, 2).value, 1.0, 1e-14);
   }

@@ -236,11 +236,11 @@ TEST(Collision, KnowsTheErrorOfTheTail) {
   const double before = run.system().ledger().wall;
   ASSERT_GT(before, 0.0);
   const double v = finish(run).velocity_after;
-  EXPECT_NEAR(run.tail_error(), before / (v * v) + 0.005 * scene.numerics.error, 1e-15);
+  EXPECT_NEAR(run.tail_error(), before / (v * v) + 0.0005 * scene.numerics.error, 1e-15);
   scene.impact.gap = 0.06;
   impact::Run given(scene);
   finish(given);
-  EXPECT_DOUBLE_EQ(given.tail_error(), 0.005 * scene.numerics.error);
+  EXPECT_DOUBLE_EQ(given.tail_error(), 0.0005 * scene.numerics.error);
 }
 
 Scene contact_scene(double load) {
