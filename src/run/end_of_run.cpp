@@ -20,7 +20,7 @@ SeparationEnd::SeparationEnd(const Scene& scene, const Composition& composition)
     : velocity_before_(composition.field.reduced_mass() * scene.impact.normal_velocity()),
       negligible_energy_(negligible_fraction(scene) *
                          impact_energy(scene, composition.field.reduced_mass())),
-      remaining_fraction_(remaining_fraction(scene)),
+      remaining_(remaining_fraction(scene)),
       flight_(scene, composition.bodies) {}
 
 bool SeparationEnd::reached(const System& system) {
@@ -36,7 +36,10 @@ bool SeparationEnd::reached(const System& system) {
   const double v = field.first_body().rows_of(system.state().velocity).col(1).mean();
   time_under_way_ = std::max(
       time_under_way_, kLongestWay / std::max(std::abs(v), kLeastVelocity * velocity_before_));
-  return flight_.is_for_good(system, remaining_fraction_);
+  const double bound = flight_.energy_bound(system, remaining_);
+  if (!std::isfinite(bound)) return false;
+  remaining_ = bound;
+  return true;
 }
 
 RestEnd::RestEnd(const Scene& scene, Eigen::Index points, double step)

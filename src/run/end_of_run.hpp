@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "measure/flags.hpp"
@@ -18,12 +19,14 @@ class EndOfRun {
   virtual bool reached(const System& system) = 0;
   /// The flag of a run that is given up before its end is reached.
   virtual Flag flag_if_given_up() const = 0;
+  /// Of the energy along y: what a contact may hold after the end, as far as it is known.
+  virtual double remaining_energy() const { return std::numeric_limits<double>::infinity(); }
   /// Extra time (R/c) that the end may take although the run is going well.
   virtual double time_under_way() const { return 0.0; }
 };
 
 /// The disk has left what it met for good: the contact has held more than the negligible energy of
-/// expected_time.hpp, and from now on its energy cannot exceed numerics.error/1000 of that of the
+/// expected_time.hpp, and from now on its energy cannot exceed numerics.error/10⁴ of that of the
 /// centre of mass, which moves away (see FreeFlight). Looked at every 16 steps.
 class SeparationEnd : public EndOfRun {
  public:
@@ -33,11 +36,12 @@ class SeparationEnd : public EndOfRun {
   /// The time for 10 R at the smallest velocity that the disk had between its touches, or at 10⁻³
   /// of that before.
   double time_under_way() const override { return time_under_way_; }
+  double remaining_energy() const override { return remaining_; }
 
  private:
   double velocity_before_;
   double negligible_energy_;
-  double remaining_fraction_;
+  double remaining_;
   FreeFlight flight_;
   bool touched_ = false;
   double time_under_way_ = 0.0;

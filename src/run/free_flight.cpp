@@ -45,18 +45,31 @@ bool stays_above_turning(const PointArray& reference, const Flight& flight, cons
   return false;
 }
 
+/// The least of `most`, most/2, most/4, … that it is true of; infinity if it is not true of the
+/// first.
+template <class Holds>
+double least_that(const Holds& holds, double most) {
+  constexpr int kTries = 16;
+  if (!holds(most)) return kInfinity;
+  double least = most;
+  for (int k = 0; k < kTries && holds(0.5 * least); ++k) least *= 0.5;
+  return least;
+}
+
 double wall_kinetic_energy(const System& system) {
   return system.field().kinetic_energy(*system.field().second_body, system.state());
 }
 
-/// Of a body that is free, in the frame of its centre of mass.
+/// Of a body that is free, in the frame of its centre of mass. Where it is calm, what is left of its
+/// kinetic energy is rounding, of either sign.
 InnerMotion inner_motion(const System& system, const Body& body, const BodyMotion& motion) {
+  constexpr double kRounding = 1e-12;
   const ForceField& field = system.field();
   const double mass = field.mass_of(body);
-  const double energy = field.kinetic_energy(body, system.state()) +
-                        field.bond_energy(body, system.state()) -
-                        0.5 * mass * motion.velocity.square().sum();
-  return {energy, mass * motion.angular_momentum};
+  const double kinetic = field.kinetic_energy(body, system.state());
+  const double vibrations =
+      std::max(0.0, kinetic - 0.5 * mass * motion.velocity.square().sum()) + kRounding * kinetic;
+  return {vibrations + field.bond_energy(body, system.state()), mass * motion.angular_momentum};
 }
 
 double spacing_of(const Lattice& disk) {
@@ -85,11 +98,11 @@ FreeFlight::FreeFlight(Scene scene, std::shared_ptr<const Bodies> bodies)
       other_disk_(other_disk(scene_, *bodies_)),
       spacing_(spacing_of(bodies_->disk)) {}
 
-bool FreeFlight::is_for_good(const System& system, double fraction) {
-  return other_disk_ ? disks_part(system, fraction) : leaves_wall(system, fraction);
+double FreeFlight::energy_bound(const System& system, double most) {
+  return other_disk_ ? bound_between_disks(system, most) : bound_above_wall(system, most);
 }
 
-bool FreeFlight::disks_part(const System& system, double fraction) {
+double FreeFlight::bound_between_disks(const System& system, double most) {
   const ForceField& field = system.field();
   const Body one = field.first_body();
   const Body other = *field.second_body;
@@ -99,42 +112,53 @@ bool FreeFlight::disks_part(const System& system, double fraction) {
   const BodyMotion motion_of_other =
       body_motion(position_of_other, other.rows_of(system.state().velocity));
   const Eigen::Array2d apart = motion.centre - motion_of_other.centre;
-  if (!((apart * (motion.velocity - motion_of_other.velocity)).sum() > 0.0)) return false;
+  if (!((apart * (motion.velocity - motion_of_other.velocity)).sum() > 0.0)) return kInfinity;
 
-  const double limit = fraction * field.impact_energy(motion.velocity.y());
+  const double energy = field.impact_energy(motion.velocity.y());
   const auto points = static_cast<double>(position.rows() + position_of_other.rows());
   const Contact& contact = *field.contact();
-  const double gap = std::min(contact.gap_of_energy(limit / points), contact.threshold());
   const double reach = disk_.reach(inner_motion(system, one, motion), position);
   const double reach_of_other =
       other_disk_->reach(inner_motion(system, other, motion_of_other), position_of_other);
-  return apart.matrix().norm() >= reach + reach_of_other + gap;
+  const auto holds = [&](double fraction) {
+    const double gap =
+        std::min(contact.gap_of_energy(fraction * energy / points), contact.threshold());
+    return apart.matrix().norm() >= reach + reach_of_other + gap;
+  };
+  return least_that(holds, most);
 }
 
-bool FreeFlight::leaves_wall(const System& system, double fraction) {
+double FreeFlight::bound_above_wall(const System& system, double most) {
   const State& state = system.state();
   const Body disk = system.field().first_body();
   const PointArray position = disk.rows_of(state.position);
   const BodyMotion body = body_motion(position, disk.rows_of(state.velocity));
   const double v = body.velocity.y();
-  if (!(v > 0.0)) return false;
+  if (!(v > 0.0)) return kInfinity;
 
   const InnerMotion inner = inner_motion(system, disk, body);
   const Surface below = surface(system);
-  const WallAbove wall = wall_above(system, fraction * 0.5 * v * v);
   const double height = body.centre.y() - below.height;
   // With gravity g until the top of the flight, where v t − g t²/2 ≥ v t/2.
   const double velocity = (system.field().gravity ? 0.5 : 1.0) * v - below.speed;
   const InnerBounds bound = disk_.bounds(inner);
+  const auto wall = [&](double fraction) { return wall_above(system, fraction * 0.5 * v * v); };
   if (bound.hold && disk_.is_unfolded(position)) {
-    return stays_above(disk_.reference(),
-                       {height, velocity, rigid_rotation(disk_.reference(), position),
-                        bound.counter_clockwise, bound.clockwise, bound.swing},
-                       wall);
+    const Flight flight{height,
+                        velocity,
+                        rigid_rotation(disk_.reference(), position),
+                        bound.counter_clockwise,
+                        bound.clockwise,
+                        bound.swing};
+    return least_that(
+        [&](double fraction) { return stays_above(disk_.reference(), flight, wall(fraction)); },
+        most);
   }
-  if (!(velocity > 0.0)) return false;
-  const double outermost = disk_.reach_of_tethers(inner);
-  return clearance(Eigen::ArrayXd::Constant(position.rows(), height - outermost), wall) >= 0.0;
+  if (!(velocity > 0.0)) return kInfinity;
+  const Eigen::ArrayXd lowest =
+      Eigen::ArrayXd::Constant(position.rows(), height - disk_.reach_of_tethers(inner));
+  return least_that([&](double fraction) { return clearance(lowest, wall(fraction)) >= 0.0; },
+                    most);
 }
 
 FreeFlight::Surface FreeFlight::surface(const System& system) {

@@ -61,10 +61,11 @@ class FreeFlight {
  public:
   FreeFlight(Scene scene, std::shared_ptr<const Bodies> bodies);
 
-  /// Whether the contact's energy will stay below this fraction of M V²/2, V the velocity of the
-  /// centre of mass along y, or of both disks' energy along y. False if the disk does not fly away,
-  /// or if that cannot be shown.
-  bool is_for_good(const System& system, double fraction);
+  /// Below which fraction of M V²/2 the contact's energy will stay, V the velocity of the centre of
+  /// mass along y, or of both disks' energy along y: `most`, or a half, a quarter, … of it as far
+  /// as can be shown, 2⁻¹⁶ at the least. Infinity if the disk does not fly away, or if not even
+  /// `most` can be shown.
+  double energy_bound(const System& system, double most);
 
  private:
   /// Of the surface of the wall: its greatest height now, and the speed with which it may rise.
@@ -72,8 +73,8 @@ class FreeFlight {
     double height;
     double speed;
   };
-  bool leaves_wall(const System& system, double fraction);
-  bool disks_part(const System& system, double fraction);
+  double bound_above_wall(const System& system, double most);
+  double bound_between_disks(const System& system, double most);
   Surface surface(const System& system);
   Surface clamped_surface(double elongation) const;
   Surface free_surface(const PointArray& shape, const ConstPoints& position, double energy);

@@ -147,7 +147,7 @@ double Run::surface_slope() const {
 double Run::tail_error() const {
   const double v = system_->field().first_body().rows_of(state().velocity).col(1).mean();
   const double before = scene_.impact.gap ? 0.0 : contact_energy_before_;
-  return 0.5 * before / system_->field().impact_energy(v) + 0.5 * remaining_fraction(scene_);
+  return 0.5 * before / system_->field().impact_energy(v) + 0.5 * end_->remaining_energy();
 }
 
 void Run::observe_step() {

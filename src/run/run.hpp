@@ -120,8 +120,9 @@ class Run {
   double surface_slope() const;
 
   /// Relative error of e, at the end of a collision, for what the wall's potential holds at the
-  /// start, U₀ (unless impact.gap is given), and may hold after the end, numerics.error/1000 of M
-  /// v′²/2: their sum over M v′², v′ the velocity of the centre of mass along y after the impact.
+  /// start, U₀ (unless impact.gap is given), and may hold after the end, at most
+  /// numerics.error/10⁴ of M v′²/2 (FreeFlight::energy_bound()): their sum over M v′², v′ the
+  /// velocity of the centre of mass along y after the impact.
   double tail_error() const;
 
  private:
