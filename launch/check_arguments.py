@@ -106,7 +106,10 @@ def check_rate():
 
 
 def check_replay():
-    import rosbag  # slow, and not needed above
+    try:
+        import rosbag  # slow, and not needed above
+    except ImportError as error:
+        refuse('{}; install python3-rosbag'.format(error))
     bag = path_of_bag()
     try:
         with rosbag.Bag(bag) as content:

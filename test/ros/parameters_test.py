@@ -14,7 +14,7 @@ from rospkg import RosPack
 
 from master_witness import MasterWitness
 from programs import (PACKAGE, SMALL_COLLISION, Process, analysis, launch, node, program,
-                      random_namespace, scene_file, simulation)
+                      random_namespace, scene_file, simulation, without_module)
 
 
 class ParametersTest(unittest.TestCase):
@@ -192,6 +192,10 @@ class ParametersTest(unittest.TestCase):
             self.assertEqual(process.wait(), 0, process.stderr())
         self.assert_launch_refuses('replay.launch', 'ns: got lattice_impact, allowed: ',
                                    self.namespace, bag=bag)
+
+    def test_launch_of_a_replay_without_rosbag(self):
+        self.assert_launch_refuses('replay.launch', "No module named 'rosbag'; install python3-rosbag",
+                                   environment=without_module('rosbag', self.folder), bag='a.bag')
 
     def test_launch_with_a_value_that_a_node_refuses(self):
         bag = os.path.join(self.folder, 'run.bag')
