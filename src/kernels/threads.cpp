@@ -10,6 +10,7 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <utility>
 
 namespace impact {
 namespace {
@@ -47,7 +48,8 @@ class Job {
     std::unique_lock lock(mutex_);
     over_ = true;
     left_.wait(lock, [this] { return helpers_ == 0; });
-    if (failure_) std::rethrow_exception(failure_);
+    // Not shared with a helper that comes late and would be the one to destroy it.
+    if (failure_) std::rethrow_exception(std::move(failure_));
   }
 
  private:
