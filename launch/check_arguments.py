@@ -63,6 +63,9 @@ def check_rviz():
         return
     if 'rviz' not in RosPack().list():
         refuse('rviz: not installed; Debian has it in the package rviz')
+    if not find_node('lattice_impact', 'viewer_node'):
+        refuse('rviz: viewer_node is not built; install {} and build again'.format(
+            'libdiagnostic-updater-dev libtf2-msgs-dev libvisualization-msgs-dev'))
     if not os.environ.get('DISPLAY'):
         refuse('rviz: there is no display to show it on (DISPLAY is not set)')
 
@@ -103,7 +106,10 @@ def check_rate():
 
 
 def check_replay():
-    import rosbag  # slow, and not needed above
+    try:
+        import rosbag  # slow, and not needed above
+    except ImportError as error:
+        refuse('{}; install python3-rosbag'.format(error))
     bag = path_of_bag()
     try:
         with rosbag.Bag(bag) as content:

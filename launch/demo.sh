@@ -16,7 +16,7 @@ echo "  four minutes of processor time the first time, on $(nproc) processors"
 # The tests stay on where test/run.sh has configured them.
 first=
 [ -e build/CMakeCache.txt ] || first=-DCATKIN_ENABLE_TESTING=OFF
-build "simulation_node analysis_node recorder_node viewer_node impact analyse_bag lattice_impact_generate_messages" $first
+build "simulation_node analysis_node recorder_node impact analyse_bag lattice_impact_generate_messages" $first
 use_package
 
 bag=$PWD/build/demo.bag

@@ -2,13 +2,13 @@
 # Leaves a shell in which rosrun and roslaunch find the package.
 
 # To build and to run; the tests need the others too.
-packages="g++ make cmake catkin ros-message-generation ros-std-msgs ros-geometry-msgs
-  ros-visualization-msgs ros-rosgraph-msgs ros-diagnostic-msgs libstd-msgs-dev libgeometry-msgs-dev
-  libvisualization-msgs-dev libros-rosgraph-msgs-dev libdiagnostic-updater-dev libroscpp-dev
-  libtf2-msgs-dev librosbag-dev python3-rosbag python3-roslaunch rosbash libboost-dev libeigen3-dev
-  libcgal-dev libyaml-cpp-dev libcli11-dev libfmt-dev libgsl-dev libtbb-dev zlib1g-dev"
-test_packages="libsundials-dev librostest-dev libgtest-dev libbenchmark-dev python3-rostest
-  python3-matplotlib python3-meshio python3-numpy"
+packages="g++ make cmake catkin ros-message-generation ros-std-msgs ros-rosgraph-msgs
+  libstd-msgs-dev libros-rosgraph-msgs-dev libroscpp-dev librosbag-dev python3-roslaunch
+  rosbash libboost-dev libeigen3-dev libcgal-dev libyaml-cpp-dev libcli11-dev libfmt-dev libgsl-dev
+  zlib1g-dev"
+viewer_packages="libdiagnostic-updater-dev libtf2-msgs-dev libvisualization-msgs-dev"
+test_packages="$viewer_packages libsundials-dev librostest-dev libgtest-dev libbenchmark-dev
+  python3-rostest python3-rosbag python3-matplotlib python3-meshio python3-numpy"
 
 log_folder=build/log
 

@@ -4,7 +4,7 @@
 #                         clang-tidy, catkin_lint, and the fuzzers for a few seconds
 #   --package             also the Debian package in a fresh minimal system (mmdebstrap)
 #   --sanitize address    only the unit tests, with assertions, AddressSanitizer and UBSan
-#   --sanitize thread     only those of series on several threads, with ThreadSanitizer
+#   --sanitize thread     only those of several threads, with ThreadSanitizer
 #   --fuzz SECONDS        only the fuzzers (libFuzzer), each for so long
 #   --faults SECONDS      only harm at random to recordings, bags and results, for so long
 set -euo pipefail
@@ -75,8 +75,7 @@ case "${1:-}" in
       address)
         sanitize address,undefined '*' lattice kernels mechanics statics solvers reference scene \
           measure theory fits run output series reproduction verification nodes ;;
-      # Not those of oneTBB in mechanics: it is not built with the sanitizer, which sees races in it.
-      thread) sanitize thread 'SideBySide*:RunSeries*' series ;;
+      thread) sanitize thread 'ShareOut*:InParts*:SideBySide*:RunSeries*' kernels mechanics series ;;
       *) echo "--sanitize: got '${2:-}', allowed: address or thread" >&2; exit 2 ;;
     esac ;;
   --fuzz) fuzz "${2:-60}" ;;

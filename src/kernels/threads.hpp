@@ -12,10 +12,13 @@ inline int& threads_in_a_run() {
   return threads;
 }
 
-/// Calls work(0) … work(count − 1) on several threads (oneTBB), of which the calling one is one.
-/// Each takes the next piece of work when it is free and sleeps when there is none. So a thread
-/// that other programs slow down does less, and waiting costs no processor time.
+/// Calls work(0) … work(count − 1) on several threads, of which the calling one is one; the others
+/// live as long as the program. Each takes the next piece of work when it is free and sleeps when
+/// there is none. So a thread that other programs slow down does less, and waiting costs no
+/// processor time.
 /// @param threads at most so many; 0: as threads_in_a_run().
+/// @throw the first exception that `work` throws, when no piece is being worked on any more; the
+/// pieces that nobody has begun are left out.
 void share_out(Eigen::Index count, int threads, const std::function<void(Eigen::Index)>& work);
 
 }  // namespace impact

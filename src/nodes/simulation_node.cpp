@@ -128,8 +128,6 @@ SimulationNode::SimulationNode(const SimulationNodeParameters& parameters,
       pacing_(node_, parameters.acknowledged_by) {
   if (parameters.publish_clock) clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 0);
   if (parameters.max_rate > 0.0) rate_.emplace(parameters.max_rate);
-  diagnostics_.setHardwareID("none");
-  diagnostics_.add("simulation", [this](auto& status) { diagnose(status); });
   status_.runs = static_cast<std::uint32_t>(series_.size());
 }
 
@@ -302,7 +300,6 @@ void SimulationNode::take_answer(const ErrorControl& control) {
 
 void SimulationNode::keep_pace() {
   ros::spinOnce();
-  diagnostics_.update();
   readers_.check();
   if (wall_readers_) wall_readers_->check();
   scalar_readers_.check();
@@ -314,14 +311,6 @@ void SimulationNode::wait_for_readers(std::int64_t sequence) {
   pacing_.wait(status_.run, sequence, parameters_.timeout, [this](const std::string& name) {
     return readers_.hears(name) || (wall_readers_ && wall_readers_->hears(name));
   });
-}
-
-void SimulationNode::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {
-  status.summaryf(diagnostic_msgs::DiagnosticStatus::OK, "run %u of %u", status_.run + 1,
-                  status_.runs);
-  status.add("progress", status_.progress);
-  status.add("states published", status_.states);
-  status.add("energy error", status_.energy.error);
 }
 
 ros::Time SimulationNode::stamp(const Run& run) const {

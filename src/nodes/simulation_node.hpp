@@ -1,6 +1,5 @@
 #pragma once
 
-#include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/ros.h>
 
 #include <memory>
@@ -56,7 +55,6 @@ class SimulationNode {
   void keep_pace();
   void wait_for_readers(std::int64_t sequence);
   void close_bag(bool complete);
-  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   ros::Time stamp(const Run& run) const;
 
   SimulationNodeParameters parameters_;
@@ -69,7 +67,6 @@ class SimulationNode {
   DataStreams streams_;
   Pacing pacing_;
   ros::Publisher clock_;
-  diagnostic_updater::Updater diagnostics_;
   std::optional<ros::WallRate> rate_;
 
   ros::Time run_start_{1.0};             ///< simulated; a bag refuses the stamp 0

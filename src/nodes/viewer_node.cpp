@@ -1,5 +1,6 @@
 #include "nodes/viewer_node.hpp"
 
+#include <fmt/format.h>
 #include <geometry_msgs/WrenchStamped.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -10,6 +11,23 @@ namespace {
 
 constexpr double kHighestRate = 60.0;  // pictures/s
 constexpr std::uint32_t kQueue = 4;    // messages
+
+using diagnostic_updater::DiagnosticStatusWrapper;
+using lattice_impact::RunStatus;
+
+void diagnose(const RunStatus& run, DiagnosticStatusWrapper& diagnosis) {
+  const std::string name = fmt::format("run {} of {}", run.run + 1, run.runs);
+  if (run.phase == RunStatus::FAILED) {
+    diagnosis.summary(DiagnosticStatusWrapper::ERROR, name + ": " + run.error);
+  } else if (run.phase == RunStatus::INTERRUPTED) {
+    diagnosis.summary(DiagnosticStatusWrapper::WARN, name + ": interrupted");
+  } else {
+    diagnosis.summary(DiagnosticStatusWrapper::OK, name);
+  }
+  diagnosis.add("progress", run.progress);
+  diagnosis.add("states published", run.states);
+  diagnosis.add("energy error", run.energy.error);
+}
 
 }  // namespace
 
@@ -22,7 +40,11 @@ ViewerNode::ViewerNode()
   for (const char* topic : {"lattice", "wall/lattice"}) {
     subscribers_.push_back(node_.subscribe<lattice_impact::Lattice>(topic, kQueue, add));
   }
-  subscribers_.push_back(node_.subscribe<lattice_impact::RunStatus>("run_status", kQueue, add));
+  subscribers_.push_back(node_.subscribe<RunStatus>(
+      "run_status", kQueue, [this](const lattice_impact::RunStatusConstPtr& status) {
+        assembly_.add(status);
+        status_ = status;
+      }));
   subscribers_.push_back(
       node_.subscribe<lattice_impact::ParticleStates>("particle_states", kQueue, add));
   subscribers_.push_back(
@@ -30,12 +52,15 @@ ViewerNode::ViewerNode()
   subscribers_.push_back(node_.subscribe<lattice_impact::ParticleStates>(
       "wall/particle_states", kQueue,
       [this](const ParticleStatesConstPtr& states) { assembly_.add_of_wall(states); }));
+  diagnostics_.setHardwareID("none");
+  diagnostics_.add("simulation", [this](auto& diagnosis) { diagnose(*status_, diagnosis); });
 }
 
 void ViewerNode::run() {
   ros::WallRate rate(kHighestRate);
   while (!asked_to_end()) {
     serve_callbacks();
+    if (status_) diagnostics_.update();
     const auto snapshot = assembly_.take();
     if (!snapshot) continue;
     publish(*snapshot);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/ros.h>
 
 #include <string>
@@ -13,7 +14,7 @@ namespace impact {
 /// Draws a simulation, live or replayed: `markers` for rviz, latched, and `contact_wrench`, the
 /// total force of the wall on the disk as a standard message. It keeps up with the newest state and
 /// drops the others; the simulation does not wait for it. Frame `world`; 1 R is 1 m, 1 M c²/R is 1
-/// N.
+/// N. Once a second it tells `/diagnostics` what the latest status says of the run.
 class ViewerNode {
  public:
   ViewerNode();
@@ -31,6 +32,8 @@ class ViewerNode {
   ros::Publisher markers_;
   ros::Publisher wrench_;
   ros::Publisher frames_;
+  diagnostic_updater::Updater diagnostics_;
+  lattice_impact::RunStatusConstPtr status_;  ///< the latest
   std::vector<ros::Subscriber> subscribers_;
 };
 

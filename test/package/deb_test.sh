@@ -21,6 +21,7 @@ mmdebstrap --variant=apt --format=null --quiet \
   --customize-hook="chroot \"\$1\" apt-get install -yqq --no-install-recommends /tmp/$deb" \
   --customize-hook='chroot "$1" sh -c "command -v g++ && echo a compiler came along && exit 1; true"' \
   --customize-hook='chroot "$1" env HOME=/root ROS_HOSTNAME=localhost roslaunch lattice_impact collision.launch N:=300 bag:=/tmp/impact.bag' \
+  --customize-hook='chroot "$1" rosrun lattice_impact viewer_node --help' \
   --customize-hook='chroot "$1" rosrun lattice_impact analyse_bag /tmp/impact.bag > '"$PWD"'/analysis.txt' \
   bookworm > log 2>&1 || { tail -n 60 log; exit 1; }
 grep -q "complete: true" analysis.txt

@@ -16,7 +16,7 @@ def libraries(name):
 
 
 ROS = {'roscpp', 'rosbag', 'rosbag_storage', 'rosconsole', 'rostime', 'xmlrpcpp',
-       'roscpp_serialization', 'diagnostic_updater'}
+       'roscpp_serialization'}
 GEOMETRY = {'CGAL', 'gmp', 'gmpxx', 'mpfr'}
 FITS = {'gsl', 'gslcblas'}
 BAGS = {'rosbag', 'rosbag_storage'}

@@ -2,6 +2,7 @@
 """What is wrong stops a node at the door: exit code, one line, and nothing left behind."""
 
 import os
+import shutil
 import socket
 import tempfile
 import unittest
@@ -13,7 +14,7 @@ from rospkg import RosPack
 
 from master_witness import MasterWitness
 from programs import (PACKAGE, SMALL_COLLISION, Process, analysis, launch, node, program,
-                      random_namespace, scene_file, simulation)
+                      random_namespace, scene_file, simulation, without_module)
 
 
 class ParametersTest(unittest.TestCase):
@@ -165,6 +166,21 @@ class ParametersTest(unittest.TestCase):
                         ['rviz: not installed', 'package rviz']),
                 environment={'DISPLAY': ''}, rviz='true')
 
+    def test_launch_with_a_view_whose_node_is_not_built(self):
+        """From a copy of the package that has no programs, beside an rviz by name only."""
+        package = os.path.join(self.folder, PACKAGE)
+        shutil.copytree(os.path.join(RosPack().get_path(PACKAGE), 'launch'),
+                        os.path.join(package, 'launch'))
+        for name in (PACKAGE, 'rviz'):
+            os.makedirs(os.path.join(self.folder, name), exist_ok=True)
+            with open(os.path.join(self.folder, name, 'package.xml'), 'w') as file:
+                file.write('<package><name>{}</name></package>'.format(name))
+        path = self.folder + ':' + os.environ['ROS_PACKAGE_PATH']
+        for file in ('collision.launch', 'replay.launch'):
+            self.assert_launch_refuses(
+                file, 'rviz: viewer_node is not built; install lib', ' and build again',
+                environment={'ROS_PACKAGE_PATH': path, 'CMAKE_PREFIX_PATH': '/usr'}, rviz='true')
+
     def test_launch_of_a_replay(self):
         bag = os.path.join(self.folder, 'run.bag')
         self.assert_launch_refuses('replay.launch', 'bag: got nothing')
@@ -176,6 +192,10 @@ class ParametersTest(unittest.TestCase):
             self.assertEqual(process.wait(), 0, process.stderr())
         self.assert_launch_refuses('replay.launch', 'ns: got lattice_impact, allowed: ',
                                    self.namespace, bag=bag)
+
+    def test_launch_of_a_replay_without_rosbag(self):
+        self.assert_launch_refuses('replay.launch', "No module named 'rosbag'; install python3-rosbag",
+                                   environment=without_module('rosbag', self.folder), bag='a.bag')
 
     def test_launch_with_a_value_that_a_node_refuses(self):
         bag = os.path.join(self.folder, 'run.bag')

@@ -57,6 +57,13 @@ def scene_parameters(scene, values):
     return tree
 
 
+def without_module(name, folder):
+    """An environment in which Python does not find this module, by a file in the folder."""
+    with open(os.path.join(folder, name + '.py'), 'w') as file:
+        file.write('raise ModuleNotFoundError("No module named {0!r}", name={0!r})\n'.format(name))
+    return {'PYTHONPATH': folder + ':' + os.environ.get('PYTHONPATH', '')}
+
+
 def random_namespace():
     return '/test_' + uuid.uuid4().hex
 

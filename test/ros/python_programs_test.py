@@ -13,17 +13,18 @@ import rospy
 import rostest
 
 from programs import (PACKAGE, SMALL_ABSORBING_WALL, TIMEOUT, program, random_namespace, run_tool,
-                      scene_file, simulation)
+                      scene_file, simulation, without_module)
 
 sys.path.insert(0, str(Path(program('convert')).parent))
 from impact_py.recording import open_recording
 
 
-def rosrun(*words):
+def rosrun(*words, **environment):
     """With nobody who could choose among several programs of that name."""
     return subprocess.run(['rosrun', PACKAGE, *words], stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          universal_newlines=True, timeout=TIMEOUT)
+                          env=dict(os.environ, **environment), universal_newlines=True,
+                          timeout=TIMEOUT)
 
 
 class PythonProgramsTest(unittest.TestCase):
@@ -85,6 +86,14 @@ class PythonProgramsTest(unittest.TestCase):
             done = rosrun(name, '--help')
             self.assertEqual(done.returncode, 0, done.stdout)
             self.assertTrue(done.stdout.startswith(f'usage: {name} '), done.stdout)
+
+    def test_bag_without_rosbag_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            environment = without_module('rosbag', folder)
+            for words in (['convert', str(self.bag), 'npz'], ['plot_impact', str(self.bag)]):
+                done = rosrun(*words, **environment)
+                self.assertEqual((done.returncode, done.stdout), (
+                    1, f"{words[0]}: No module named 'rosbag'; install python3-rosbag\n"))
 
     def test_damaged_bag_is_refused(self):
         broken = self.folder / 'broken.bag'

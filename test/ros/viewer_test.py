@@ -49,6 +49,10 @@ def points(array, name):
     return [(point.x, point.y) for point in marker.points]
 
 
+def values(diagnostics):
+    return {pair.key: pair.value for pair in diagnostics.status[0].values}
+
+
 class ViewerTest(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -76,7 +80,8 @@ class ViewerTest(unittest.TestCase):
         time = 't = {:.2f} R/c'.format(state.time)
         with viewer(self.namespace), \
                 UnpackingInbox(self.namespace + '/markers') as arrays, \
-                UnpackingInbox(self.namespace + '/contact_wrench') as wrenches:
+                UnpackingInbox(self.namespace + '/contact_wrench') as wrenches, \
+                UnpackingInbox('/diagnostics') as diagnostics:
             self.wait_for_viewer()
             # As replay.launch does with rviz:=true, but for rviz. It stays, since a player that
             # ends takes along what it has not sent.
@@ -86,9 +91,12 @@ class ViewerTest(unittest.TestCase):
                 'lattice', 'particle_states', 'contact_forces', 'run_status', 'wall/lattice',
                 'wall/particle_states')]
             with Process(player + topics):
-                last = arrays.wait(lambda array: 'e = ' in text(array) and time in text(array),
+                last = arrays.wait(lambda array: 'e = ' in text(array) and time in text(array) and
+                                   points(array, 'points') == list(zip(state.x, state.y)),
                                    'of the end')
-        self.assertEqual(points(last, 'points'), list(zip(state.x, state.y)))
+                told = diagnostics.wait(lambda array: values(array)['progress'] == '1', 'of the end')
+        self.assertEqual(told.status[0].message, 'run 1 of 1')
+        self.assertEqual(values(told)['states published'], str(state.sequence + 1))
         wall = self.recorded('wall/particle_states')[-1]
         self.assertEqual(points(last, 'wall'), list(zip(wall.x, wall.y)))
         forces = {message.total_y for message in self.recorded('contact_forces')}
