@@ -60,8 +60,8 @@ double wall_kinetic_energy(const System& system) {
   return system.field().kinetic_energy(*system.field().second_body, system.state());
 }
 
-/// Of a body that is free, in the frame of its centre of mass. Where it is calm, what is left of its
-/// kinetic energy is rounding, of either sign.
+/// Of a body that is free, in the frame of its centre of mass. Where it is calm, what is left of
+/// its kinetic energy is rounding, of either sign.
 InnerMotion inner_motion(const System& system, const Body& body, const BodyMotion& motion) {
   constexpr double kRounding = 1e-12;
   const ForceField& field = system.field();

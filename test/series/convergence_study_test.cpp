@@ -101,7 +101,7 @@ TEST(Answer, CountsTheTailOfTheWallAgainstWhatIsLeft) {
   EXPECT_LT(lifted.run().restitution_bound(), 1.0 + 0.1 * 1e-4 * std::pow(lifted.answer(), 2));
 }
 
-/// At the end of a run the wall still holds up to ε/100 of the energy of a slow disk. Counted as
+/// At the end of a run the wall still holds up to ε/10⁴ of the energy of a slow disk. Counted as
 /// velocity, what is left of that error is less than a tenth.
 TEST(Answer, CountsWhatTheWallStillHoldsAtTheEnd) {
   const std::vector<std::string> keys{"disk.points=100", "impact.velocity=0.003", "impact.gap=0.2"};
