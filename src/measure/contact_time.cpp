@@ -42,12 +42,10 @@ class LogarithmicCubic {
 }  // namespace
 
 void ContactTime::add(const ForceSample& sample) {
-  for (Step* const step : {&largest_, &fall_, rise_.empty() ? &fall_ : &rise_.back()}) {
-    if (step->to.time == last_.to.time) step->after = sample;
-  }
+  if (!rise_.empty() && rise_.back().to.time == last_.to.time) rise_.back().after = sample;
+  if (fall_.to.time == last_.to.time) fall_.after = sample;
   last_ = {last_.from, last_.to, sample, kNone};
-  if (sample.force > largest_.to.force || !is_there(largest_.to)) {
-    largest_ = last_;
+  if (rise_.empty() || sample.force > rise_.back().to.force) {
     rise_.push_back(last_);
     while (rise_.front().to.force <= threshold() && rise_.size() > 1) rise_.pop_front();
   }
@@ -55,7 +53,8 @@ void ContactTime::add(const ForceSample& sample) {
 }
 
 double ContactTime::peak_force() const {
-  const auto& [before, from, to, after] = largest_;
+  if (rise_.empty()) return kNaN;
+  const auto& [before, from, to, after] = rise_.back();
   if (!is_there(from) || !is_there(after)) return to.force;
   const double rise = slope(from.time, from.force, to.time, to.force);
   const double fall = slope(to.time, to.force, after.time, after.force);
@@ -65,7 +64,7 @@ double ContactTime::peak_force() const {
 }
 
 double ContactTime::begin() const {
-  return largest_.to.force > 0.0 ? crossing(rise_.front()) : kNaN;
+  return !rise_.empty() && rise_.back().to.force > 0.0 ? crossing(rise_.front()) : kNaN;
 }
 
 double ContactTime::end() const { return fall_.to.force <= threshold() ? crossing(fall_) : kNaN; }

@@ -45,11 +45,13 @@ class ContactTime {
   };
 
   double crossing(const Step& step) const;
-  double threshold() const { return kContactFraction * largest_.to.force; }
+  /// By the largest force at a step.
+  double threshold() const {
+    return rise_.empty() ? kNaN : kContactFraction * rise_.back().to.force;
+  }
 
   Step last_;
-  Step largest_;  ///< to the largest force
-  std::deque<Step> rise_;
+  std::deque<Step> rise_;  ///< each to the largest force so far
   Step fall_;
 };
 

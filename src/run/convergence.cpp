@@ -18,6 +18,10 @@ double ratio_of_order(const Sample& coarse, const Sample& middle, const Sample& 
   return (std::pow(coarse.step, p) - middle_power) / (middle_power - fine_power);
 }
 
+double observed_ratio(const Sample& coarse, const Sample& middle, const Sample& fine) {
+  return (coarse.value - middle.value) / (middle.value - fine.value);
+}
+
 double range(const std::vector<Sample>& runs) {
   const auto [least, most] = std::minmax_element(
       runs.begin(), runs.end(), [](const Sample& a, const Sample& b) { return a.value < b.value; });
@@ -26,13 +30,13 @@ double range(const std::vector<Sample>& runs) {
 
 /// Of what falls at least as fast as errors of half the order do: that, else 1.
 double safe_power(const Sample& coarse, const Sample& middle, const Sample& fine, int order) {
-  const double observed = (coarse.value - middle.value) / (middle.value - fine.value);
   const double power = 0.5 * order;
-  return observed >= ratio_of_order(coarse, middle, fine, power) ? power : 1.0;
+  return observed_ratio(coarse, middle, fine) >= ratio_of_order(coarse, middle, fine, power) ? power
+                                                                                             : 1.0;
 }
 
 bool shows_order(const Sample& coarse, const Sample& middle, const Sample& fine, int order) {
-  const double observed = (coarse.value - middle.value) / (middle.value - fine.value);
+  const double observed = observed_ratio(coarse, middle, fine);
   const auto is_between = [&](double low, double high) {
     return observed >= ratio_of_order(coarse, middle, fine, low) &&
            observed <= ratio_of_order(coarse, middle, fine, high);

@@ -41,7 +41,7 @@ class SeparationEnd : public EndOfRun {
  private:
   double velocity_before_;
   double negligible_energy_;
-  double remaining_;
+  double remaining_;  ///< the most that may remain; at the end, what may
   FreeFlight flight_;
   bool touched_ = false;
   double time_under_way_ = 0.0;
