@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kBelow = 0.25;  // of a power
 constexpr double kAbove = 0.5;
+constexpr double kFarBelow = 1.0;  // where four runs say it
 /// Of the last correction, which counts in full as long as no fourth run confirms it.
 constexpr double kConfirmed = 0.15;
 
@@ -28,21 +29,21 @@ double range(const std::vector<Sample>& runs) {
   return most->value - least->value;
 }
 
-/// Of what falls at least as fast as errors of half the order do: that, else 1.
-double safe_power(const Sample& coarse, const Sample& middle, const Sample& fine, int order) {
-  const double power = 0.5 * order;
-  return observed_ratio(coarse, middle, fine) >= ratio_of_order(coarse, middle, fine, power) ? power
-                                                                                             : 1.0;
+/// At least as fast as errors of this power.
+bool fall(const Sample& coarse, const Sample& middle, const Sample& fine, double power) {
+  return observed_ratio(coarse, middle, fine) >= ratio_of_order(coarse, middle, fine, power);
 }
 
-bool shows_order(const Sample& coarse, const Sample& middle, const Sample& fine, int order) {
-  const double observed = observed_ratio(coarse, middle, fine);
-  const auto is_between = [&](double low, double high) {
-    return observed >= ratio_of_order(coarse, middle, fine, low) &&
-           observed <= ratio_of_order(coarse, middle, fine, high);
-  };
-  return is_between(order - kBelow, order + kAbove) ||
-         is_between(order + 2 - kAbove, order + 2 + kAbove);
+/// At least as fast as errors of the lower power, and no faster than those of the higher.
+bool fall_between(const Sample& coarse, const Sample& middle, const Sample& fine, double low,
+                  double high) {
+  return fall(coarse, middle, fine, low) &&
+         observed_ratio(coarse, middle, fine) <= ratio_of_order(coarse, middle, fine, high);
+}
+
+bool show_order(const Sample& coarse, const Sample& middle, const Sample& fine, int order) {
+  return fall_between(coarse, middle, fine, order - kBelow, order + kAbove) ||
+         fall_between(coarse, middle, fine, order + 2 - kAbove, order + 2 + kAbove);
 }
 
 }  // namespace
@@ -76,18 +77,36 @@ ConvergedValue compared_with_scatter(const std::vector<Sample>& runs) {
   return {ordered.value, std::max(ordered.error, kPlainMargin * range(runs))};
 }
 
-ConvergedValue converged(const std::vector<Sample>& runs, std::optional<int> order) {
-  if (!order) return compared_with_scatter(runs);
+ConvergedValue compared_if_all_fall(const std::vector<Sample>& runs, int order) {
+  const double power = 0.5 * order;
+  for (auto fine = runs.begin() + 2; fine != runs.end(); ++fine) {
+    if (!fall(fine[-2], fine[-1], fine[0], power)) return compared_with_scatter(runs);
+  }
+  return compared({runs.end() - 3, runs.end()}, power);
+}
+
+bool may_show_order(const Sample& coarse, const Sample& middle, const Sample& fine, int order) {
+  return fall_between(coarse, middle, fine, order - kFarBelow, order + 2 + kAbove);
+}
+
+ConvergedValue converged(const std::vector<Sample>& runs, int order) {
   const Sample* const finest = &runs.back();
-  const ConvergedValue plain =
-      compared({runs.end() - 3, runs.end()}, safe_power(finest[-2], finest[-1], finest[0], *order));
-  if (!shows_order(finest[-2], finest[-1], finest[0], *order)) return plain;
-  ConvergedValue limit = extrapolated(finest[-2], finest[-1], finest[0], *order);
-  if (runs.size() > 3) {
-    if (!shows_order(finest[-3], finest[-2], finest[-1], *order)) return plain;
-    const ConvergedValue before = extrapolated(finest[-3], finest[-2], finest[-1], *order);
+  const double half = 0.5 * order;
+  const double power = fall(finest[-2], finest[-1], finest[0], half) ? half : 1.0;
+  const ConvergedValue plain = compared({runs.end() - 3, runs.end()}, power);
+  const bool is_alone = runs.size() == 3;
+  if (!(is_alone ? show_order : may_show_order)(finest[-2], finest[-1], finest[0], order)) {
+    return plain;
+  }
+  ConvergedValue limit = extrapolated(finest[-2], finest[-1], finest[0], order);
+  if (!is_alone) {
+    if (!may_show_order(finest[-3], finest[-2], finest[-1], order)) return plain;
+    const ConvergedValue before = extrapolated(finest[-3], finest[-2], finest[-1], order);
     const double refinement = std::cbrt(finest[-3].step / finest[0].step);
-    const double gain = std::pow(refinement, *order) - 1.0;
+    const bool is_shown = show_order(finest[-3], finest[-2], finest[-1], order) &&
+                          show_order(finest[-2], finest[-1], finest[0], order);
+    const double gain = is_shown ? std::pow(refinement, order) - 1.0
+                                 : (std::pow(refinement, order - kFarBelow) - 1.0) / kPlainMargin;
     limit.error = std::max(kConfirmed * limit.error, std::abs(limit.value - before.value) / gain);
   }
   return limit.error <= plain.error ? limit : plain;

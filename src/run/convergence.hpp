@@ -1,7 +1,6 @@
 #pragma once
 
 #include <limits>
-#include <optional>
 #include <vector>
 
 namespace impact {
@@ -38,17 +37,29 @@ ConvergedValue compared(const std::vector<Sample>& runs, double power);
 /// times their range.
 ConvergedValue compared_with_scatter(const std::vector<Sample>& runs);
 
-/// The number that at least three runs, from coarse to fine, give together.
+/// Of runs that may scatter, of a method of order p: the finest three compared() by the power p/2
+/// if all of them fall at least so fast from each to the next, which five that scatter hardly ever
+/// do; else all compared_with_scatter().
+ConvergedValue compared_if_all_fall(const std::vector<Sample>& runs, int order);
+
+/// Whether three runs, from coarse to fine, of a method of order p may turn out to show it when a
+/// fourth is there: their values fall as errors of a power between p − 1 and p + 2.5 do. Errors of
+/// the powers p and p + 2 come near to p − 1 where they have opposite signs.
+bool may_show_order(const Sample& coarse, const Sample& middle, const Sample& fine, int order);
+
+/// The number that at least three runs, from coarse to fine, of a method of order p give together.
 ///
-/// Without an order: all runs compared_with_scatter().
+/// Three: extrapolated(), if they show the order. They do if the observed order is
+/// p − 0.25 … p + 0.5, or p + 1.5 … p + 2.5 where the error of order p happens to vanish.
 ///
-/// With an order p: the finest three extrapolated(), if they show it. They do if the observed order
-/// is p − 0.25 … p + 0.5, or p + 1.5 … p + 2.5 where the error of order p happens to vanish. Of
-/// four runs the coarser three have to show it too, since one set of three may do so by chance. The
-/// error is then that of limits which themselves converge with order p, by the mean ratio of the
-/// four steps, since each limit rests on three of them; and no less than 0.15 times that of the
-/// finest three alone. If the order is not shown, or if its error is smaller: the finest three
-/// compared(), by the power p/2 if they fall at least so fast, else 1.
-ConvergedValue converged(const std::vector<Sample>& runs, std::optional<int> order);
+/// Four or more: the finest three extrapolated(), if they and the three before may_show_order().
+/// The error is then that of limits which themselves converge with order p, by the mean ratio of
+/// the four steps, since each limit rests on three of them; if not both show the order, three times
+/// that of limits which converge with order p − 1; and no less than 0.15 times that of the finest
+/// three alone.
+///
+/// Else, or where this has the smaller error: the finest three compared(), by the power p/2 if they
+/// fall at least so fast, else 1.
+ConvergedValue converged(const std::vector<Sample>& runs, int order);
 
 }  // namespace impact

@@ -206,6 +206,13 @@ std::optional<int> ErrorControl::order() const {
   return order_of(resolution_.integrator);
 }
 
+ConvergedValue ErrorControl::convergence_of(const std::vector<Sample>& runs) const {
+  if (const auto p = order()) return converged(runs, *p);
+  return erratic_ && !is_adaptive(resolution_.integrator)
+             ? compared_if_all_fall(runs, order_of(resolution_.integrator))
+             : compared_with_scatter(runs);
+}
+
 /// Finds the answer of the latest runs. `noise`: relative error that finer steps do not take away.
 void ErrorControl::conclude(double noise) {
   const std::size_t count = order() ? std::min(runs_.size(), kRunsThatShowAnOrder) : runs_needed();
@@ -219,7 +226,7 @@ void ErrorControl::conclude(double noise) {
   for (const auto& [name, number] : impact_numbers<Restitution>()) {
     for (std::size_t k = 0; k < count; ++k) samples[k].value = runs[k].measured.*number;
     const ConvergedValue estimate =
-        converged(samples, is_read_off_steps(name) ? std::nullopt : order());
+        is_read_off_steps(name) ? compared_with_scatter(samples) : convergence_of(samples);
     answer_.value.*number = estimate.value;
     answer_.error.*number = estimate.error + noise * std::abs(estimate.value);
   }
@@ -245,6 +252,15 @@ bool ErrorControl::is_confirmed() const {
   return !is_extrapolated() || runs_.size() >= kRunsThatShowAnOrder;
 }
 
+/// Whether a fourth run near the others may show an order that three do not.
+bool ErrorControl::may_be_confirmed() const {
+  if (is_extrapolated() || !order() || runs_.size() + 1 != kRunsThatShowAnOrder) return false;
+  const auto sample = [this](std::size_t k) {
+    return Sample{step_of(runs_[k].resolution), runs_[k].measured.restitution};
+  };
+  return may_show_order(sample(0), sample(1), sample(2), *order());
+}
+
 void ErrorControl::refine_by_estimate() {
   stagnations_ = estimated_error_ > kStagnation * last_estimate_ ? stagnations_ + 1 : 0;
   last_estimate_ = estimated_error_;
@@ -257,7 +273,8 @@ void ErrorControl::refine_by_estimate() {
   const double power = adaptive            ? kToleranceOrder
                        : is_extrapolated() ? order_of(resolution_.integrator) + 2
                                            : order_of(resolution_.integrator);
-  const double factor = std::max(kRefinement, std::pow(excess, 1.0 / power));
+  const double factor =
+      may_be_confirmed() ? kRefinement : std::max(kRefinement, std::pow(excess, 1.0 / power));
   if (go_over(resolution_.step / factor)) return;
   shorten(std::min(factor, is_extrapolated() ? kMostRefinement : kMostBlindRefinement));
 }

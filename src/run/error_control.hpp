@@ -43,7 +43,7 @@ struct FinishedImpact {
 /// - where contacts pass from bond to bond, and what that does to their energy and to the direction
 ///   of their force could change e by numerics.error,
 /// - where the lattice folds, or the wall is cut off at wall.threshold: these scatter most, so five
-///   runs are compared,
+///   runs are compared, see compared_if_all_fall(),
 /// - for an adaptive integrator, the tolerance of which stands for the square of a step,
 /// - for numbers that are read off the steps, see is_read_off_steps().
 ///
@@ -124,9 +124,11 @@ class ErrorControl {
   double rounding(const FinishedImpact& run) const;
   double way_in(double step) const;
   std::optional<int> order() const;
+  ConvergedValue convergence_of(const std::vector<Sample>& runs) const;
   void conclude(double noise);
   bool is_extrapolated() const;
   bool is_confirmed() const;
+  bool may_be_confirmed() const;
   void refine_by_estimate();
   [[noreturn]] void give_up(const std::string& cause) const;
 

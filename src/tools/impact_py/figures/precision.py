@@ -97,8 +97,56 @@ def power_of_ten(value):
     return f"10^{{{round(np.log10(value))}}}"
 
 
+# Where a label may stand beside its mark: shift in points, and what of it is there.
+PLACES = [(dict(xytext=(5 * right, 3 * up)),
+           dict(ha="left" if right > 0 else "right", va="bottom" if up > 0 else "top"))
+          for right in (1, -1) for up in (1, -1)]
+PLACES += [(dict(xytext=(0, 6 * up)), dict(ha="center", va="bottom" if up > 0 else "top"))
+           for up in (1, -1)]
+
+
+def pixels_along(line, transform):
+    """Places on a curve, ten from one of its points to the next."""
+    corners = transform.transform(line.get_xydata())
+    steps = np.linspace(0, len(corners) - 1, 10 * len(corners))
+    return np.column_stack([np.interp(steps, range(len(corners)), axis) for axis in corners.T])
+
+
+def covered(ax, label, others):
+    """How much of the curves lies under the label; labels, and what lies beyond the panel, count
+    more."""
+    box = label.get_window_extent()
+    places = np.concatenate([pixels_along(line, ax.transData) for line in ax.lines
+                             if len(line.get_xydata())])
+    hidden = np.all((box.min < places) & (places < box.max), axis=1)
+    panel = ax.get_window_extent()
+    leaves = np.any(box.min < panel.min) or np.any(panel.max < box.max)
+    overlaps = sum(box.overlaps(other.get_window_extent()) for other in others)
+    return np.count_nonzero(hidden) + 1000 * overlaps + 10000 * leaves
+
+
+def label_marks(ax, labels):
+    """Writes each text beside its place, where it covers least."""
+    ax.figure.draw_without_rendering()
+    written = []
+    for text, place in labels:
+        tries = []
+        for shift, side in PLACES:
+            label = ax.annotate(text, place, textcoords="offset points", fontsize=6, zorder=5,
+                                **shift, **side)
+            label.set_path_effects([withStroke(linewidth=1.5, foreground="white")])
+            tries.append(label)
+        best = min(tries, key=lambda label: covered(ax, label, written))
+        written.append(best)
+        for label in tries:
+            if label is not best:
+                label.remove()
+
+
 def draw_automatic(ax, automatic, uncertainty):
-    """The verified answers of `auto`, one star for equal ones, with the wanted errors."""
+    """The verified answers of `auto`, one star for equal ones. Returns the wanted errors as texts,
+    with their places."""
+    labels = []
     wanted, times = automatic["wanted_error"], automatic["time"]
     errors = shown(automatic["error"], uncertainty)
     style = {**marker_style(BLACK, "*", False), "markersize": 7, "zorder": 4}
@@ -109,9 +157,8 @@ def draw_automatic(ax, automatic, uncertainty):
         text = power_of_ten(most)
         if least < most:
             text += r"\,\ldots\," + power_of_ten(least)
-        label = ax.annotate(f"${text}$", middle, xytext=(5, 3), textcoords="offset points",
-                            fontsize=6, zorder=5)
-        label.set_path_effects([withStroke(linewidth=1.5, foreground="white")])
+        labels.append((f"${text}$", middle))
+    return labels
 
 
 def work_precision_figure(folder, name, symbol):
@@ -124,7 +171,7 @@ def work_precision_figure(folder, name, symbol):
     figure, (axes,) = panels(TWO_COLUMNS, 0.42 * TWO_COLUMNS, columns=2)
     uncertainty = reference["uncertainty"]
     draw_curves(axes[0], curves, "time", "error", uncertainty)
-    draw_automatic(axes[0], automatic, uncertainty)
+    labels = draw_automatic(axes[0], automatic, uncertainty)
     log_axes(axes[0], "time (s)", f"relative error of {symbol}")
     axes[0].margins(x=0.15, y=0.1)
     draw_front(axes[0], table, uncertainty)
@@ -135,6 +182,7 @@ def work_precision_figure(folder, name, symbol):
     shade_unknown(axes[1], uncertainty)
     letter(axes)
     legend_beside(axes[1], precision_handles(curves))
+    label_marks(axes[0], labels)
     save_both(figure, folder, f"work_precision_{name}")
 
 
