@@ -84,7 +84,7 @@ class ImpactAnalysis {
  private:
   struct Other {
     BodyMotion motion;
-    double mass;  ///< M
+    double mass = 0.0;  ///< M
   };
   struct Motions {
     BodyMotion first;
