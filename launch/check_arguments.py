@@ -82,7 +82,10 @@ def check_recording():
 
 
 def check_by(program, *values):
-    check = subprocess.run([find_node('lattice_impact', program)[0], '--check', *values],
+    found = find_node('lattice_impact', program)
+    if not found:
+        refuse('{} is not built: cmake --build build'.format(program))
+    check = subprocess.run([found[0], '--check', *values],
                            stderr=subprocess.PIPE, universal_newlines=True)
     if check.returncode != 0:
         refuse(check.stderr.strip().partition(': ')[2])
@@ -96,32 +99,9 @@ def check_parameters(node, *names):
     check_by(node, *('{}={}'.format(name, argument(name)) for name in names))
 
 
-def check_rate():
-    try:
-        good = 0 < float(argument('rate')) < float('inf')
-    except ValueError:
-        good = False
-    if not good:
-        refuse('rate: got {}, allowed: a number above 0'.format(argument('rate')))
-
-
 def check_replay():
-    try:
-        import rosbag  # slow, and not needed above
-    except ImportError as error:
-        refuse('{}; install python3-rosbag'.format(error))
-    bag = path_of_bag()
-    try:
-        with rosbag.Bag(bag) as content:
-            topics = content.get_type_and_topic_info().topics
-    except (OSError, rosbag.ROSBagException) as error:
-        refuse('bag: {}: {}'.format(bag, getattr(error, 'strerror', None) or error))
-    found = [topic[:-len('/run_status')] or '/' for topic in topics
-             if topics[topic].msg_type == 'lattice_impact/RunStatus']
-    if not found:
-        refuse('bag: {} holds no run'.format(bag))
-    if '/' + argument('ns').strip('/') not in found:
-        refuse('ns: got {}, allowed: {}, as in {}'.format(argument('ns'), ' or '.join(found), bag))
+    check_by('replay_node', 'bag={}'.format(path_of_bag()),
+             *('{0}={1}'.format(name, argument(name)) for name in ('ns', 'rate')))
 
 
 def is_about_to_run():
@@ -140,6 +120,5 @@ if is_about_to_run():
         check_parameters('analysis_node', 'young_modulus', 'poisson_ratio', 'timeout')
         check_recording()
     else:
-        check_rate()
         check_parameters('analysis_node', 'young_modulus', 'poisson_ratio', 'linger', 'wait_for')
         check_replay()

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 #include <lattice_impact/Scalars.h>
-#include <rosbag/bag.h>
-#include <rosbag/view.h>
 
 #include <cmath>
 #include <exception>
@@ -11,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "nodes/bag_reading.hpp"
 #include "nodes/body_topics.hpp"
 #include "nodes/law_fit_yaml.hpp"
 #include "output/result_text.hpp"
@@ -75,22 +74,6 @@ void add_impact(const Numbers& numbers, const std::string& suffix,
   }
 }
 
-std::string name_space_of(const std::string& topic) {
-  const std::size_t slash = topic.rfind('/');
-  return slash == 0 || slash == std::string::npos ? "/" : topic.substr(0, slash);
-}
-
-/// The namespaces in which a simulation publishes.
-std::set<std::string> simulations(rosbag::View& view) {
-  std::set<std::string> name_spaces;
-  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
-    if (connection->datatype == ros::message_traits::DataType<lattice_impact::RunStatus>::value()) {
-      name_spaces.insert(name_space_of(connection->topic));
-    }
-  }
-  return name_spaces;
-}
-
 /// The namespace of the simulation that published this topic: that of the topic itself, or the one
 /// above it for the topics of an elastic wall.
 std::string pipeline_of(const std::string& topic, const std::set<std::string>& simulations) {
@@ -99,43 +82,14 @@ std::string pipeline_of(const std::string& topic, const std::set<std::string>& s
   return simulations.count(name_space) == 0 && simulations.count(above) > 0 ? above : name_space;
 }
 
-template <class Message>
-bool is_another_version_of(const rosbag::ConnectionInfo& connection) {
-  return connection.datatype == ros::message_traits::DataType<Message>::value() &&
-         connection.md5sum != ros::message_traits::MD5Sum<Message>::value();
-}
-
-/// @throw InputError for messages of these types that have other fields here.
-template <class... Messages>
-void refuse_other_versions(rosbag::View& view, const std::string& file) {
-  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
-    if (!(is_another_version_of<Messages>(*connection) || ...)) continue;
-    throw InputError(
-        fmt::format("{} was recorded by another version of lattice_impact, in which {} is another "
-                    "message: analyse it with that version",
-                    file, connection->datatype));
-  }
-}
-
 /// All its messages, by namespace.
 std::map<std::string, BagPipeline> read(const std::string& file, const ElasticParameters& elastic,
                                         const BagPipeline::Problem& problem) {
   rosbag::Bag bag;
-  try {
-    bag.open(file, rosbag::bagmode::Read);
-  } catch (const rosbag::BagUnindexedException&) {
-    throw InputError(fmt::format("{} was not closed: mend it with `rosbag reindex`", file));
-  } catch (const rosbag::BagException& error) {
-    throw InputError(fmt::format("{} cannot be read: {}", file, error.what()));
-  }
-
+  open_to_read(file, bag);
   std::map<std::string, BagPipeline> pipelines;
   rosbag::View view(bag);
-  refuse_other_versions<lattice_impact::Lattice, lattice_impact::ParticleStates,
-                        lattice_impact::ContactForces, lattice_impact::RunStatus,
-                        lattice_impact::Scalars, lattice_impact::Strain,
-                        lattice_impact::Restitution, lattice_impact::LawFit>(view, file);
-  const std::set<std::string> name_spaces = simulations(view);
+  const std::set<std::string> name_spaces = simulations_in(view);
   for (const rosbag::MessageInstance& message : view) {
     const std::string name_space = pipeline_of(message.getTopic(), name_spaces);
     pipelines.try_emplace(name_space, name_space, elastic, problem).first->second.add(message);

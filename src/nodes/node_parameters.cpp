@@ -34,6 +34,14 @@ Parameter<T> wait_for() {
 }
 
 template <class T>
+Parameter<T> acknowledged_by() {
+  return node_names<T>(
+      "acknowledged_by",
+      "those whose acknowledgements pace the run: it stays at most 100 states ahead of each",
+      [](auto& p) -> auto& { return p.acknowledged_by; });
+}
+
+template <class T>
 Parameter<T> timeout(std::string meaning) {
   return real<T>(
       "timeout", "s", kWaitingTime, std::move(meaning), [](auto& p) -> auto& { return p.timeout; });
@@ -75,11 +83,7 @@ const std::vector<Parameter<SimulationNodeParameters>>& simulation_node_paramete
       node_names<P>(
           "wait_for_scalars", "those that must have subscribed to scalars before the start",
           [](auto& p) -> auto& { return p.wait_for_scalars; }),
-      node_names<P>(
-          "acknowledged_by",
-          "those whose acknowledgements pace the run: it stays at most 100 states "
-          "ahead of each",
-          [](auto& p) -> auto& { return p.acknowledged_by; }),
+      acknowledged_by<P>(),
       timeout<P>("how long to wait for a subscriber or an acknowledgement before giving up"),
       real<P>(
           "max_rate", "states/s", {0.0, 1e6}, "most states published a second; 0: no limit",
@@ -129,6 +133,25 @@ const std::vector<Parameter<RecorderNodeParameters>>& recorder_node_parameters()
           [](auto& p) -> auto& { return p.results_of; }),
       timeout<P>("how long to wait for the first message, and at the end for the simulation"),
       patience<P>("silence at which a simulation that has gone is taken to have broken off")};
+  return table;
+}
+
+const std::vector<Parameter<ReplayNodeParameters>>& replay_node_parameters() {
+  using P = ReplayNodeParameters;
+  static const std::vector<Parameter<P>> table{
+      text<P>(
+          "bag", "file to replay", [](auto& p) -> auto& { return p.bag; }),
+      text<P>(
+          "ns", "namespace of the simulation in the bag",
+          [](auto& p) -> auto& { return p.recorded_in; }),
+      real<P>(
+          "rate", "-", {0.0, 1e9, false}, "factor on the speed of the recording",
+          [](auto& p) -> auto& { return p.rate; }),
+      wait_for<P>(),
+      acknowledged_by<P>(),
+      timeout<P>("how long to wait for a subscriber and, at the end, for an acknowledgement"),
+      patience<P>("silence at which the rest of a run is sent without acknowledgements"),
+      linger<P>()};
   return table;
 }
 

@@ -40,8 +40,20 @@ struct RecorderNodeParameters {
   double patience = 5.0;                ///< s
 };
 
+struct ReplayNodeParameters {
+  std::string bag;
+  std::string recorded_in = "lattice_impact";  ///< namespace
+  double rate = 1.0;
+  std::vector<std::string> wait_for;         ///< names of nodes
+  std::vector<std::string> acknowledged_by;  ///< names of nodes
+  double timeout = 30.0;                     ///< s
+  double patience = 5.0;                     ///< s
+  double linger = 0.5;                       ///< s
+};
+
 const std::vector<Parameter<SimulationNodeParameters>>& simulation_node_parameters();
 const std::vector<Parameter<AnalysisNodeParameters>>& analysis_node_parameters();
 const std::vector<Parameter<RecorderNodeParameters>>& recorder_node_parameters();
+const std::vector<Parameter<ReplayNodeParameters>>& replay_node_parameters();
 
 }  // namespace impact

@@ -14,6 +14,17 @@ Readers::Readers(ros::NodeHandle& node, const std::vector<std::string>& names) :
   for (const std::string& name : names) names_.push_back(node.resolveName(name));
 }
 
+ros::Publisher Readers::advertise(ros::AdvertiseOptions options) {
+  auto& subscribers = subscribers_[node_.resolveName(options.topic)];
+  options.connect_cb = [&subscribers](const ros::SingleSubscriberPublisher& link) {
+    subscribers.insert(link.getSubscriberName());
+  };
+  options.disconnect_cb = [&subscribers](const ros::SingleSubscriberPublisher& link) {
+    subscribers.erase(link.getSubscriberName());
+  };
+  return node_.advertise(options);
+}
+
 void Readers::wait(double timeout) {
   const ros::WallTime start = ros::WallTime::now();
   while (!missing().empty() && !asked_to_end()) {
@@ -74,6 +85,13 @@ void Pacing::wait_for_links(double timeout) {
     }
     serve_callbacks();
   }
+  last_news_ = ros::WallTime::now();
+}
+
+bool Pacing::is_acknowledged(std::uint32_t run, std::int64_t sequence) const {
+  return std::all_of(acknowledged_.begin(), acknowledged_.end(), [&](const auto& reader) {
+    return reader.second >= Position{run, sequence};
+  });
 }
 
 void Pacing::wait(std::uint32_t run, std::int64_t sequence, double timeout,

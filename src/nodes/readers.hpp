@@ -20,19 +20,13 @@ class Readers {
   /// Advertises a topic, with an unlimited queue.
   template <class Message>
   ros::Publisher advertise(const std::string& topic, bool latch = false) {
-    auto& subscribers = subscribers_[node_.resolveName(topic)];
-    auto options = ros::AdvertiseOptions::create<Message>(
-        topic, 0,
-        [&subscribers](const ros::SingleSubscriberPublisher& link) {
-          subscribers.insert(link.getSubscriberName());
-        },
-        [&subscribers](const ros::SingleSubscriberPublisher& link) {
-          subscribers.erase(link.getSubscriberName());
-        },
-        ros::VoidConstPtr(), nullptr);
+    ros::AdvertiseOptions options;
+    options.init<Message>(topic, 0);
     options.latch = latch;
-    return node_.advertise(options);
+    return advertise(options);
   }
+  /// The same of any type of message; what to do when subscribers come and go is filled in here.
+  ros::Publisher advertise(ros::AdvertiseOptions options);
 
   /// Waits until every reader has subscribed to every topic, or until `interrupted`.
   /// @throw std::runtime_error after `timeout` seconds, with the readers and topics that are
@@ -54,9 +48,12 @@ class Readers {
   std::map<std::string, std::set<std::string>> subscribers_;  ///< names, by topic
 };
 
-/// Holds the simulation back until its readers have taken in what it sent.
+/// Holds a publisher of states back until its readers have taken in what it sent.
 class Pacing {
  public:
+  /// States that it may be ahead of the slowest reader.
+  static constexpr std::int64_t kWindow = 100;
+
   Pacing(ros::NodeHandle& node, const std::vector<std::string>& names);
 
   /// Waits until the acknowledgements of all readers can be heard, or until `interrupted`: one sent
@@ -70,6 +67,12 @@ class Pacing {
   /// says of its name, or when nothing is acknowledged for `timeout` seconds.
   void wait(std::uint32_t run, std::int64_t sequence, double timeout,
             const std::function<bool(const std::string&)>& is_there);
+
+  /// Whether every reader has.
+  bool is_acknowledged(std::uint32_t run, std::int64_t sequence) const;
+
+  /// s since a reader acknowledged something, or since wait_for_links().
+  double silence() const { return (ros::WallTime::now() - last_news_).toSec(); }
 
  private:
   using Position = std::pair<std::int64_t, std::int64_t>;  // run, sequence

@@ -18,7 +18,6 @@ namespace impact {
 namespace {
 
 constexpr std::uint32_t kStatusInterval = 100;     // states
-constexpr std::int64_t kWindow = 100;              // states ahead of the slowest reader
 constexpr Eigen::Index kMostPointsKept = 1000000;  // between the check and the runs
 
 /// What the bag of a run may have at most, in bytes, as far as its time is known.
@@ -302,7 +301,7 @@ void SimulationNode::keep_pace() {
   readers_.check();
   wall_readers_.check();
   scalar_readers_.check();
-  wait_for_readers(static_cast<std::int64_t>(status_.states) - kWindow);
+  wait_for_readers(static_cast<std::int64_t>(status_.states) - Pacing::kWindow);
   if (rate_) rate_->sleep();
 }
 

@@ -18,6 +18,8 @@ TEST(Documents, HaveTheParametersOfTheNodes) {
                       markdown_table(analysis_node_parameters(), AnalysisNodeParameters{}));
   expect_document_has("parameters.md", "recorder",
                       markdown_table(recorder_node_parameters(), RecorderNodeParameters{}));
+  expect_document_has("parameters.md", "replay",
+                      markdown_table(replay_node_parameters(), ReplayNodeParameters{}));
 }
 
 /// All files of msg/, in alphabetical order.

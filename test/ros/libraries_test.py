@@ -35,6 +35,9 @@ class LibrariesTest(unittest.TestCase):
     def test_simulation_carries_no_fits(self):
         self.assert_libraries('simulation_node', {'roscpp', 'rosbag_storage', 'gmp'} | SOLVERS, FITS)
 
+    def test_replay_carries_bags_alone(self):
+        self.assert_libraries('replay_node', {'roscpp', 'rosbag_storage'}, GEOMETRY | SOLVERS | FITS)
+
     def test_viewer_carries_what_it_draws_with(self):
         self.assert_libraries('viewer_node', {'roscpp'}, GEOMETRY | BAGS | SOLVERS | FITS)
 

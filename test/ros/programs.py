@@ -210,6 +210,13 @@ def recorder(namespace, environment=None, **parameters):
                 dict({'timeout': NODE_TIMEOUT}, **parameters), environment)
 
 
+def replay(namespace, bag, environment=None, **parameters):
+    """Of what was recorded in this namespace."""
+    return node('replay_node', namespace + '/player',
+                dict({'timeout': NODE_TIMEOUT, 'bag': bag, 'ns': namespace}, **parameters),
+                environment)
+
+
 def viewer(namespace, environment=None):
     return node('viewer_node', namespace + '/viewer', {}, environment)
 
@@ -247,10 +254,12 @@ class Inbox:
             return next(filter(condition, self._messages))
 
     def wait_for_count(self, count, timeout=TIMEOUT):
+        """However long it takes, as long as messages come."""
         with self._news:
-            if not self._news.wait_for(lambda: len(self._messages) >= count, timeout):
-                raise AssertionError('{}: {} messages of {} within {} s'.format(
-                    self._topic, len(self._messages), count, timeout))
+            while len(self._messages) < count:
+                if not self._news.wait(timeout):
+                    raise AssertionError('{}: {} messages of {}, and no more for {} s'.format(
+                        self._topic, len(self._messages), count, timeout))
 
     def _take_in(self, message):
         with self._news:

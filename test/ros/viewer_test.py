@@ -15,8 +15,8 @@ import rostest
 from lattice_impact.msg import Scalars
 from rospkg import RosPack
 
-from programs import (PACKAGE, SMALL_ABSORBING_WALL, BagAnalysis, Inbox, Process, bag_messages,
-                      bits, launch, poll_until, random_namespace, simulation, viewer)
+from programs import (PACKAGE, SMALL_ABSORBING_WALL, TIMEOUT, BagAnalysis, Inbox, bag_messages,
+                      bits, launch, poll_until, random_namespace, replay, simulation, viewer)
 
 SCENE = {'disk.points': 60, 'impact.velocity': 0.05, 'output.period': 0.1}
 ROUNDING = 1e-12  # of sums over the points, which are taken in another order here
@@ -83,14 +83,8 @@ class ViewerTest(unittest.TestCase):
                 UnpackingInbox(self.namespace + '/contact_wrench') as wrenches, \
                 UnpackingInbox('/diagnostics') as diagnostics:
             self.wait_for_viewer()
-            # As replay.launch does with rviz:=true, but for rviz. It stays, since a player that
-            # ends takes along what it has not sent.
-            player = ['rosbag', 'play', self.bag, '--quiet', '--rate=10', '--keep-alive',
-                      '--wait-for-subscribers', '--topics']
-            topics = [self.namespace + '/' + topic for topic in (
-                'lattice', 'particle_states', 'contact_forces', 'run_status', 'wall/lattice',
-                'wall/particle_states')]
-            with Process(player + topics):
+            # It stays, since the viewer acknowledges nothing.
+            with replay(self.namespace, self.bag, rate=10, wait_for=['viewer'], linger=TIMEOUT):
                 last = arrays.wait(lambda array: 'e = ' in text(array) and time in text(array) and
                                    points(array, 'points') == list(zip(state.x, state.y)),
                                    'of the end')

@@ -18,7 +18,7 @@ PROGRAMS = pathlib.Path(sys.argv.pop(1))
 TOOLS = ('impact', 'sweep', 'units', 'reproduce', 'work_precision', 'stability', 'accuracy_check',
          'analyse_bag')
 SCRIPTS = ('convert', 'plot_figures', 'plot_impact', 'plot_sweep')
-NODES = ('simulation_node', 'analysis_node', 'recorder_node', 'viewer_node')
+NODES = ('simulation_node', 'analysis_node', 'recorder_node', 'replay_node', 'viewer_node')
 SMALL = ('collision', 'points=100', 'velocity=0.05')
 DISK = 'radius=0.05,density=1100,young=5e6,thickness=0.01'
 TIMEOUT = 60.0  # s, far above what anything here takes
