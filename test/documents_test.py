@@ -103,6 +103,8 @@ RULES = (
     (r'rosrun lattice_impact sweep \$', start),
     (r'rosrun lattice_impact sweep .*stretch', run(FEW_SEEDS)),
     (r'rosrun lattice_impact sweep disk_on_disk ', run(FEW_SEEDS, QUICK_DISK, (r'velocity=\S+', 'velocity=0.02,0.05'), (r'angle=\S+', 'angle=10,60'))),
+    (r'rosrun lattice_impact sweep row_of_disks ', run(
+        FEW_SEEDS, QUICK_DISK, (r'velocity=\S+', 'velocity=0.02'), (r'wall\.a=\S+', 'wall.a=300,1000'))),
     (r'rosrun lattice_impact sweep oblique ', run(
         FEW_SEEDS, (r'angle=\S+', 'angle=0,60'), (r'k_a=\S+', 'k_a=0.1'))),
     (r'rosrun lattice_impact sweep .*seed=', run(FEW_SEEDS, QUICK_DISK)),

@@ -1,6 +1,9 @@
 #include "measure/impact_analysis.hpp"
 
+#include <array>
 #include <cmath>
+
+#include "mechanics/body.hpp"
 
 namespace impact {
 namespace {
@@ -13,11 +16,40 @@ double rotation(const BodyMotion& now, const BodyMotion& before) {
   return now.angular_momentum * now.angular_momentum / before.moment_of_inertia;
 }
 
+/// With the inertia that the body had, c/R.
+double spin(const BodyMotion& now, const BodyMotion& before) {
+  return now.angular_momentum / before.moment_of_inertia;
+}
+
+/// Of a disk that was met.
+struct NumbersOfOther {
+  double Restitution::*velocity_after;
+  double Restitution::*tangential_velocity_after;
+  double Restitution::*spin_after;
+};
+constexpr std::array<NumbersOfOther, kMostBodies - 1> kNumbersOfOthers{
+    {{&Restitution::wall_velocity_after, &Restitution::wall_tangential_velocity_after,
+      &Restitution::wall_spin_after},
+     {&Restitution::wall2_velocity_after, &Restitution::wall2_tangential_velocity_after,
+      &Restitution::wall2_spin_after},
+     {&Restitution::wall3_velocity_after, &Restitution::wall3_tangential_velocity_after,
+      &Restitution::wall3_spin_after}}};
+
 double squared(double number) { return number * number; }
 
 }  // namespace
 
-void ImpactAnalysis::add(const State& state) {
+void ImpactAnalysis::add(const State& state, const std::vector<State>& others) {
+  latest_.others.clear();
+  for (const State& other : others) {
+    latest_.others.push_back(
+        {body_motion(other.position, other.velocity),
+         static_cast<double>(other.position.rows()) / static_cast<double>(state.position.rows())});
+  }
+  if (!before_ && !others.empty()) {
+    radius_of_touched_ =
+        others.front().position.col(1).maxCoeff() - latest_.others.front().motion.centre.y();
+  }
   latest_.first = body_motion(state.position, state.velocity);
   if (!before_) touching_height_ = latest_.first.centre.y() - state.position.col(1).minCoeff();
   if (gravity_ != 0.0) latest_.first = where_it_touches(latest_.first);
@@ -32,35 +64,27 @@ BodyMotion ImpactAnalysis::where_it_touches(BodyMotion motion) const {
   return motion;
 }
 
-void ImpactAnalysis::add(const State& state, const State& second) {
-  latest_.second = body_motion(second.position, second.velocity);
-  latest_.second_mass =
-      static_cast<double>(second.position.rows()) / static_cast<double>(state.position.rows());
-  if (!before_) second_radius_ = second.position.col(1).maxCoeff() - latest_.second->centre.y();
-  add(state);
-}
-
 /// Twice the energies of the rigid motion of what flies, M c².
 ImpactAnalysis::Shares ImpactAnalysis::shares(const Motions& motions) const {
-  const auto& [first, second, mass] = motions;
+  const BodyMotion& first = motions.first;
   Shares shares{squared(first.velocity.y()), squared(first.velocity.x()),
                 rotation(first, before_->first)};
-  if (second) {
-    shares.normal += mass * squared(second->velocity.y());
-    shares.tangential += mass * squared(second->velocity.x());
-    shares.rotation += mass * rotation(*second, *before_->second);
+  for (std::size_t k = 0; k < motions.others.size(); ++k) {
+    const auto& [motion, mass] = motions.others[k];
+    shares.normal += mass * squared(motion.velocity.y());
+    shares.tangential += mass * squared(motion.velocity.x());
+    shares.rotation += mass * rotation(motion, before_->others[k].motion);
   }
   return shares;
 }
 
 /// Of the first body's surface where it touches, along what it touches.
 double ImpactAnalysis::sliding(const Motions& motions) const {
-  const auto& [first, second, mass] = motions;
-  const double of_first =
-      first.velocity.x() + first.angular_momentum / before_->first.moment_of_inertia;
-  if (!second) return of_first;
-  const double spin = second->angular_momentum / before_->second->moment_of_inertia;
-  return of_first - (second->velocity.x() - second_radius_ * spin);
+  const double of_first = motions.first.velocity.x() + spin(motions.first, before_->first);
+  if (motions.others.empty()) return of_first;
+  const BodyMotion& touched = motions.others.front().motion;
+  const double spin_of_touched = spin(touched, before_->others.front().motion);
+  return of_first - (touched.velocity.x() - radius_of_touched_ * spin_of_touched);
 }
 
 void ImpactAnalysis::add(const ContactReport& report) {
@@ -103,7 +127,7 @@ void ImpactAnalysis::say_after(Restitution& result) const {
   result.velocity_after = after.velocity.y();
   result.restitution = -result.velocity_after / result.velocity_before;
   result.tangential_velocity_after = after.velocity.x();
-  result.spin_after = after.angular_momentum / before.moment_of_inertia;
+  result.spin_after = spin(after, before);
   const Shares left = shares(latest_);
   result.energy_restitution = std::sqrt(left.sum() / energy);
   result.normal_energy = left.normal / energy;
@@ -115,6 +139,22 @@ void ImpactAnalysis::say_after(Restitution& result) const {
   }
   result.impulse_ratio =
       (after.velocity.x() - before.velocity.x()) / (after.velocity.y() - before.velocity.y());
+  if (!latest_.others.empty()) say_of_others(result);
+}
+
+void ImpactAnalysis::say_of_others(Restitution& result) const {
+  for (std::size_t k = 0; k < latest_.others.size(); ++k) {
+    const BodyMotion& after = latest_.others[k].motion;
+    result.*kNumbersOfOthers[k].velocity_after = after.velocity.y();
+    result.*kNumbersOfOthers[k].tangential_velocity_after = after.velocity.x();
+    result.*kNumbersOfOthers[k].spin_after = spin(after, before_->others[k].motion);
+  }
+  if (latest_.others.size() == 1) return;
+  const Other& last = latest_.others.back();
+  const double at_start = before_->others.back().motion.velocity.y();
+  const double approach = before_->first.velocity.y() - at_start;
+  result.momentum_passed_on = last.mass * (last.motion.velocity.y() - at_start) / approach;
+  result.restitution_of_ends = -(latest_.first.velocity.y() - last.motion.velocity.y()) / approach;
 }
 
 }  // namespace impact

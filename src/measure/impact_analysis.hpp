@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "measure/contact_report.hpp"
 #include "measure/contact_time.hpp"
@@ -9,8 +10,8 @@
 
 namespace impact {
 
-/// What an impact did to the disk; NaN for what is not known yet. Where it met another disk,
-/// velocities are as seen from the common centre of mass, and energies are those of both.
+/// What an impact did to the disk; NaN for what is not known yet. Where it met other disks,
+/// velocities are as seen from the common centre of mass, and energies are those of all.
 struct Restitution {
   static constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   double velocity_before = kNaN;             ///< of the centre of mass along y, c
@@ -19,8 +20,10 @@ struct Restitution {
   double moment_of_inertia = kNaN;           ///< about the centre of mass, at the start, M R²
   double energy_before = kNaN;               ///< of the rigid motion at the start, M c²
   double velocity_after = kNaN;              ///< of the centre of mass along y, c
-  double restitution = kNaN;                 ///< e = −velocity_after/velocity_before
-  double tangential_velocity_after = kNaN;   ///< of the centre of mass along x, c
+  /// e = −velocity_after/velocity_before. Where the disk met others, that is as well the velocity
+  /// at which it leaves their common centre of mass over that at which it came to it.
+  double restitution = kNaN;
+  double tangential_velocity_after = kNaN;  ///< of the centre of mass along x, c
   /// Counter-clockwise, c/R: the angular momentum over the moment of inertia at the start, so that
   /// the disk's vibrations do not show.
   double spin_after = kNaN;
@@ -43,6 +46,22 @@ struct Restitution {
   double normal_energy = kNaN;
   double tangential_energy = kNaN;
   double rotation_energy = kNaN;
+  /// Of the disks that were met, one below another: velocities of the centre of mass along y and x
+  /// (c), and the spin as spin_after.
+  double wall_velocity_after = kNaN;
+  double wall_tangential_velocity_after = kNaN;
+  double wall_spin_after = kNaN;
+  double wall2_velocity_after = kNaN;
+  double wall2_tangential_velocity_after = kNaN;
+  double wall2_spin_after = kNaN;
+  double wall3_velocity_after = kNaN;
+  double wall3_tangential_velocity_after = kNaN;
+  double wall3_spin_after = kNaN;
+  /// Of several disks that were met: the momentum along y that the last one took over, in parts of
+  /// that of the first one as seen by the last one at the start.
+  double momentum_passed_on = kNaN;
+  /// The same: −u′/u, u the velocity along y of the first disk as seen by the last one.
+  double restitution_of_ends = kNaN;
 };
 
 /// Takes the states and contact reports of one run, each in the order of time, and says what the
@@ -55,19 +74,21 @@ class ImpactAnalysis {
   /// would be at y = 0.
   explicit ImpactAnalysis(double gravity = 0.0) : gravity_(gravity) {}
 
-  void add(const State& state);
-  /// Of a disk and of another one that it meets.
-  void add(const State& state, const State& second);
+  /// Of the disk and of those bodies that it meets and that are free, as it is; the last one last.
+  void add(const State& state, const std::vector<State>& others = {});
   void add(const ContactReport& report);
 
   /// `separated`: the last state given is one after the disk has left for good.
   Restitution restitution(bool separated) const;
 
  private:
+  struct Other {
+    BodyMotion motion;
+    double mass = 0.0;  ///< M
+  };
   struct Motions {
     BodyMotion first;
-    std::optional<BodyMotion> second;  ///< of a body that is free too
-    double second_mass = 0.0;          ///< M
+    std::vector<Other> others;
   };
   struct Shares {
     double normal;
@@ -79,13 +100,14 @@ class ImpactAnalysis {
   double sliding(const Motions& motions) const;
   void say_before(Restitution& result) const;
   void say_after(Restitution& result) const;
+  void say_of_others(Restitution& result) const;
   BodyMotion where_it_touches(BodyMotion motion) const;
 
   double gravity_;
   double touching_height_ = 0.0;  ///< of the centre of mass, R
   std::optional<Motions> before_;
   Motions latest_;
-  double second_radius_ = 0.0;  ///< R, from the centre of mass to where it is touched
+  double radius_of_touched_ = 0.0;  ///< R, from its centre of mass to where the disk touches it
   ContactTime contact_;
   std::optional<ForceSample> last_sample_;
   double impulse_ = 0.0;

@@ -1,10 +1,21 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <string>
 
 #include "lattice/lattice.hpp"
 
 namespace impact {
+
+/// The most bodies that a scene has.
+constexpr std::size_t kMostBodies = 4;
+
+/// By which people and files know the body of this number: disk, wall, wall2, wall3.
+inline std::string name_of_body(std::size_t number) {
+  if (number == 0) return "disk";
+  return number == 1 ? "wall" : "wall" + std::to_string(number);
+}
 
 /// Where a body is in arrays of all points, and whether it is one.
 struct Body {

@@ -63,7 +63,7 @@ std::shared_ptr<const BondForces::Table> BondForces::table_of(const Lattice& lat
   return table;
 }
 
-BondForces BondForces::of_two_bodies(BondForces first, BondForces second) {
+BondForces BondForces::of_two_laws(BondForces first, BondForces second) {
   first.second_.push_back(std::move(second));
   return first;
 }

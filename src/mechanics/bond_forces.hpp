@@ -27,15 +27,15 @@ struct BondLaw {
 /// term or without damping does not evaluate it, and for several instruction sets, see Kernels.
 /// Every bond is evaluated at each of its ends, which needs no scattered writing.
 ///
-/// Two bodies of one law are one lattice; of two laws, see of_two_bodies().
+/// Bodies of one law are one lattice; for two laws see of_two_laws().
 class BondForces {
  public:
   BondForces(const Lattice& lattice, const BondLaw& law,
              const Kernels& kernels = impact::kernels());
 
-  /// Those of two bodies, each with its own law; the rows of the second come after those of the
-  /// first.
-  static BondForces of_two_bodies(BondForces first, BondForces second);
+  /// Those of a first body and of others with another law; the rows of the second come after those
+  /// of the first.
+  static BondForces of_two_laws(BondForces first, BondForces second);
 
   /// Overwrites `force` (M c²/R) with the force on each point. Returns the power that the damping
   /// dissipates, η Σ |v_i − v_j|² (M c³/R). Velocities are not read when the law has no damping.
@@ -51,7 +51,7 @@ class BondForces {
   Eigen::Index points() const {
     return second_.empty() ? table_->points : table_->points + second_.front().points();
   }
-  /// Whether the rows belong to two bodies, each with its own law.
+  /// See of_two_laws().
   bool has_two_laws() const { return !second_.empty(); }
 
   /// Σ k_a x²/2 + k_b x⁴/4, in M c².
@@ -105,7 +105,7 @@ class BondForces {
   Aligned<double> position_pairs_;
   Aligned<double> velocity_pairs_;  ///< empty without damping
   std::vector<double> part_sums_;   ///< what a kernel returns, of each part of the points
-  std::vector<BondForces> second_;  ///< of the second body, by itself; empty: of one law
+  std::vector<BondForces> second_;  ///< of the other bodies, by themselves; empty: of one law
   struct {
     PointArray position, velocity, force;
   } of_second_;  ///< its rows, between two evaluations of no meaning

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -40,7 +41,7 @@ class Repulsion {
   double v0_;
 };
 
-/// A repulsion between the first body and a wall or a second body: what the last evaluation came
+/// A repulsion between the first body and a wall or other bodies: what the last evaluation came
 /// to, and what happened where points passed from one part of a surface to the next. Nothing here
 /// is asked within the loops over points.
 class Contact : public Repulsion {
@@ -51,6 +52,10 @@ class Contact : public Repulsion {
 
   /// Force on the whole first body in the last evaluation, in M c²/R.
   const Eigen::Array2d& total_force() const { return total_force_; }
+  /// Force on the whole body of this number (0: the first) in the last evaluation, in M c²/R.
+  virtual Eigen::Array2d total_force_on(std::size_t body) const {
+    return body == 0 ? total_force_ : -total_force_;
+  }
   /// Largest force on one point in the last evaluation, in M c²/R.
   double largest_force() const { return largest_force_; }
 
@@ -70,10 +75,15 @@ class Contact : public Repulsion {
   /// The forces of more than `least_force` (M c²/R) on single points of the first body, by rows.
   virtual std::vector<PointForce> contacts(const ConstPoints& position,
                                            double least_force) const = 0;
-  /// The reactions to those forces on points of the second body.
+  /// The reactions to those forces on points of what it meets.
   virtual std::vector<PointForce> reactions(const ConstPoints& /*position*/,
                                             double /*least_force*/) const {
     return {};
+  }
+  /// The same on points of the body of this number (0: the first).
+  virtual std::vector<PointForce> forces_on(std::size_t body, const ConstPoints& position,
+                                            double least_force) const {
+    return body == 0 ? contacts(position, least_force) : reactions(position, least_force);
   }
 
   /// Compares what the points touch with the count before. To be called where a step of the motion

@@ -10,7 +10,8 @@ std::vector<std::int32_t> points_of(const std::vector<std::int32_t>& outline) {
   return {outline.begin(), outline.end() - 1};
 }
 
-/// Forces on the same points, added up, in the order of the points.
+}  // namespace
+
 std::vector<PointForce> sum_of(const std::vector<PointForce>& a, const std::vector<PointForce>& b) {
   std::map<std::int32_t, Eigen::Array2d> sums;
   for (const auto* forces : {&a, &b}) {
@@ -23,8 +24,6 @@ std::vector<PointForce> sum_of(const std::vector<PointForce>& a, const std::vect
   for (const auto& [point, force] : sums) all.push_back({point, force});
   return all;
 }
-
-}  // namespace
 
 DiskContact::DiskContact(const Repulsion& law, double threshold,
                          const std::vector<std::int32_t>& first,

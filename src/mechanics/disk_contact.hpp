@@ -3,19 +3,18 @@
 #include <vector>
 
 #include "mechanics/contact.hpp"
-#include "mechanics/contact_names.hpp"
-#include "mechanics/force_term.hpp"
 #include "mechanics/surface_contact.hpp"
 
 namespace impact {
 
+/// Forces on the same points, added up, in the order of the points.
+std::vector<PointForce> sum_of(const std::vector<PointForce>& a, const std::vector<PointForce>& b);
+
 /// What two disks do to each other: the points on the outline of each feel the outline of the
 /// other, both ways alike, so that neither is the wall. Forces act between a point and its nearest
 /// place and along the line between them: momentum and angular momentum stay the same to rounding.
-class DiskContact : public ForceTerm, public Contact {
+class DiskContact : public Contact {
  public:
-  static constexpr const char* kName = kDiskContactName;
-  static constexpr bool kInLanes = true;
   /// A point may be pushed and push as an end of a bond, each by what moves too.
   static constexpr double kMovingEnds = 4.0;
 

@@ -70,10 +70,12 @@ EnergyLedger ForceField::ledger(const impact::State& state, const impact::Losses
   enter_free(first_body(), state, ledger);
   ledger.dissipated = losses.dissipated;
   ledger.absorbed = losses.absorbed;
-  if (second_body && second_body->is_free) {
-    enter_free(*second_body, state, ledger);
-  } else if (second_body) {
-    ledger.wall_lattice = kinetic_energy(*second_body, state) + bond_energy(*second_body, state);
+  for (const Body& other : others) {
+    if (other.is_free) {
+      enter_free(other, state, ledger);
+    } else {
+      ledger.wall_lattice += kinetic_energy(other, state) + bond_energy(other, state);
+    }
   }
   for_each_term([&](const auto& term) { term.enter(state.position, ledger); });
   return ledger;
@@ -92,8 +94,11 @@ void ForceField::enter_free(const Body& body, const impact::State& state,
 }
 
 double ForceField::reduced_mass() const {
-  if (!second_body || !second_body->is_free) return 1.0;
-  return impact::reduced_mass(mass_of(*second_body));
+  double mass = 0.0;
+  for (const Body& other : others) {
+    if (other.is_free) mass += mass_of(other);
+  }
+  return mass == 0.0 ? 1.0 : impact::reduced_mass(mass);
 }
 
 double ForceField::kinetic_energy(const Body& body, const impact::State& state) const {
@@ -106,7 +111,7 @@ double ForceField::bond_energy(const Body& body, const impact::State& state) con
 
 const Contact* ForceField::contact() const {
   if (wall) return &*wall;
-  if (disk_contact) return &*disk_contact;
+  if (disk_contacts) return &*disk_contacts;
   return elastic_wall ? &*elastic_wall : nullptr;
 }
 

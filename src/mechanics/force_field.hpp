@@ -12,7 +12,7 @@
 #include "mechanics/centrifugal_force.hpp"
 #include "mechanics/compression_load.hpp"
 #include "mechanics/contact.hpp"
-#include "mechanics/disk_contact.hpp"
+#include "mechanics/disk_contacts.hpp"
 #include "mechanics/energy_ledger.hpp"
 #include "mechanics/force_term.hpp"
 #include "mechanics/gravity.hpp"
@@ -41,11 +41,11 @@ struct ForceField {
   using DampingSolver = impact::DampingSolver;
 
   BondForces bonds;
-  double point_mass = 1.0;            ///< M
-  std::optional<Body> second_body{};  ///< what the first one meets, after it in all arrays
+  double point_mass = 1.0;     ///< M
+  std::vector<Body> others{};  ///< what the first body meets, after it in all arrays
   std::optional<PotentialWall> wall{};
   std::optional<SurfaceContact> elastic_wall{};
-  std::optional<DiskContact> disk_contact{};
+  std::optional<DiskContacts> disk_contacts{};
   std::optional<CompressionLoad> load{};
   std::optional<Gravity> gravity{};
   std::optional<CentrifugalForce> centrifugal{};
@@ -57,7 +57,7 @@ struct ForceField {
   /// All terms but the bonds, in the order in which their forces are added.
   template <class Field>
   static auto every_term(Field& field) {
-    return std::tie(field.wall, field.elastic_wall, field.disk_contact, field.load, field.gravity,
+    return std::tie(field.wall, field.elastic_wall, field.disk_contacts, field.load, field.gravity,
                     field.centrifugal, field.viscous_boundary, field.velocity_reset, field.hold,
                     field.supports);
   }
@@ -104,13 +104,19 @@ struct ForceField {
   bool shifts_freely(int axis) const;
 
   /// The disk that the scene is about.
-  Body first_body() const { return {0, bonds.points() - second_points(), true}; }
-  Eigen::Index second_points() const { return second_body ? second_body->points : 0; }
+  Body first_body() const { return {0, bonds.points() - other_points(), true}; }
+  /// Of all other bodies.
+  Eigen::Index other_points() const {
+    return others.empty() ? 0 : bonds.points() - others.front().first;
+  }
+  std::size_t number_of_bodies() const { return 1 + others.size(); }
+  /// By its number: 0 is the first.
+  Body body(std::size_t number) const { return number == 0 ? first_body() : others[number - 1]; }
   /// In M; that of the first body is 1 M.
   double mass_of(const Body& body) const {
     return static_cast<double>(body.points) / static_cast<double>(first_body().points);
   }
-  /// Of the bodies that meet, in M: of the first alone at a wall.
+  /// Of the first body and all others that are free, in M: of the first alone at a wall.
   double reduced_mass() const;
   /// Of the motion of the centres of mass against each other along one direction, where the first
   /// moves at this velocity (c) as seen from the centre of mass of all that is free, in M c².
@@ -131,7 +137,7 @@ struct ForceField {
   /// See Contact::count_hops().
   void count_hops(const ConstPoints& position) {
     if (elastic_wall) elastic_wall->count_hops(position);
-    if (disk_contact) disk_contact->count_hops(position);
+    if (disk_contacts) disk_contacts->count_hops(position);
   }
 
   /// Names of the terms that are evaluated.

@@ -105,23 +105,24 @@ void LaneBundle::take_step(LaneMotion& motion, const LaneLosses& lost, std::uint
 
 void LaneBundle::look_at_speeds() {
   LaneNumbers squared = LaneNumbers::Zero();
-  LaneNumbers down;
-  LaneNumbers up = LaneNumbers::Zero();
-  LaneNumbers unused;
-  const double* const velocity = state_.velocity.data();
-  const Eigen::Index points = state_.velocity.points();
+  LaneNumbers down = LaneNumbers::Zero();
+  LaneNumbers approach = LaneNumbers::Zero();
   auto* const any =
       std::find_if(motions_.begin(), motions_.end(), [](auto* m) { return m != nullptr; });
-  const Eigen::Index of_second = (*any)->field_.second_points();
-  const LaneKernels& lanes = kernels().lanes;
-  lanes.speeds(velocity, points - of_second, squared.data(), down.data(), unused.data());
-  if (of_second > 0) {
-    lanes.speeds(velocity + Eigen::Index{2} * kLanes * (points - of_second), of_second,
-                 squared.data(), unused.data(), up.data());
+  const ForceField& field = (*any)->field_;
+  for (std::size_t number = 0; number < field.number_of_bodies(); ++number) {
+    const Body body = field.body(number);
+    LaneNumbers lowest;
+    LaneNumbers up;
+    kernels().lanes.speeds(state_.velocity.data() + Eigen::Index{2} * kLanes * body.first,
+                           body.points, squared.data(), lowest.data(), up.data());
+    if (number > 0) approach = approach.max(up + down);
+    down = down.max(-lowest);
   }
+  if (field.others.empty()) approach = down;
   for (LaneMotion* const motion : motions_) {
     if (motion == nullptr) continue;
-    motion->approach_ = up(motion->lane_) - down(motion->lane_);
+    motion->approach_ = approach(motion->lane_);
     motion->squared_speed_ = squared(motion->lane_);
   }
 }

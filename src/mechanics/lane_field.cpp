@@ -11,7 +11,7 @@ namespace impact {
 bool LaneField::knows(const ForceField& field) {
   // The loops of the lanes have either a potential wall, or no damping and what acts by itself.
   const bool has_contact = (field.wall && !field.supports) ||
-                           ((field.elastic_wall || field.disk_contact) && !field.damped());
+                           ((field.elastic_wall || field.disk_contacts) && !field.damped());
   bool known = !field.bonds.has_two_laws();
   field.for_each_term(
       [&](const auto& term) { known = known && std::decay_t<decltype(term)>::kInLanes; });
@@ -73,7 +73,9 @@ void LaneField::add_own_terms(const LaneArray& position, LaneArray& force) {
     ForceField* const field = fields_[static_cast<std::size_t>(lane)];
     if (field == nullptr) continue;
     if (field->elastic_wall) field->elastic_wall->add_forces(position.lane(lane), force.lane(lane));
-    if (field->disk_contact) field->disk_contact->add_forces(position.lane(lane), force.lane(lane));
+    if (field->disk_contacts) {
+      field->disk_contacts->add_forces(position.lane(lane), force.lane(lane));
+    }
     if (field->supports) field->supports->constrain(force.lane(lane));
   }
 }

@@ -71,7 +71,7 @@ class LaneField {
   void take(int lane, const PotentialWall& wall);
   // These act on each lane by themselves.
   void take(int /*lane*/, const SurfaceContact& /*contact*/) {}
-  void take(int /*lane*/, const DiskContact& /*contact*/) {}
+  void take(int /*lane*/, const DiskContacts& /*contacts*/) {}
   void take(int /*lane*/, const Supports& /*supports*/) {}
   void take(int /*lane*/, const VelocityReset& /*reset*/) {}
   void add_own_terms(const LaneArray& position, LaneArray& force);

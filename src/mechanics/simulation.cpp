@@ -29,10 +29,16 @@ void Simulation::reset_velocities() {
 }
 
 double Simulation::approach_speed() const {
-  const auto upwards = state_.velocity.col(1);
-  const Eigen::Index of_second = field_.second_points();
-  const double down = -kernels().least(upwards.data(), upwards.size() - of_second);
-  return of_second == 0 ? down : down + std::max(0.0, upwards.tail(of_second).maxCoeff());
+  const double* const upwards = state_.velocity.col(1).data();
+  double down = -kernels().least(upwards, field_.first_body().points);
+  if (field_.others.empty()) return down;
+  double approach = 0.0;
+  for (const Body& other : field_.others) {
+    const auto of_other = other.rows_of(state_.velocity).col(1);
+    approach = std::max(approach, down + std::max(0.0, of_other.maxCoeff()));
+    down = std::max(down, -kernels().least(upwards + other.first, other.points));
+  }
+  return approach;
 }
 
 }  // namespace impact

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "nodes/bag_reading.hpp"
-#include "nodes/has_second_body.hpp"
+#include "nodes/body_topics.hpp"
 #include "nodes/law_fit_yaml.hpp"
 #include "output/result_text.hpp"
 #include "output/text_table.hpp"
@@ -52,13 +52,25 @@ std::uint32_t run_of(const Result& result) {
   return static_cast<std::uint32_t>(result.number("run"));
 }
 
-/// Adds what an impact did; `suffix` follows the key of each number. `slides`: whether those are
-/// wanted that say something only of a disk which slides along the wall.
+/// The numbers that say something of this impact: those of sliding where the disk slides, those of
+/// other disks where it met them.
+std::set<std::string> telling(const lattice_impact::Restitution& impact) {
+  const bool slides = !std::isnan(impact.tangential_restitution);
+  std::set<std::string> keys;
+  for (const auto& [key, member] : impact_numbers<lattice_impact::Restitution>()) {
+    const bool is_of_others = disk_of(key) != 0 || is_of_row(key);
+    const bool tells = is_of_others ? !std::isnan(impact.*member) : slides || !is_of_sliding(key);
+    if (tells) keys.insert(key);
+  }
+  return keys;
+}
+
+/// Adds what an impact did; `suffix` follows the key of each number.
 template <class Numbers>
-void add_impact(const Numbers& numbers, const std::string& suffix, bool slides, Result& result) {
+void add_impact(const Numbers& numbers, const std::string& suffix,
+                const std::set<std::string>& keys, Result& result) {
   for (const auto& [key, member] : impact_numbers<Numbers>()) {
-    if (is_of_sliding(key) && !slides) continue;
-    result.entries.emplace_back(key + suffix, numbers.*member);
+    if (keys.count(key) > 0) result.entries.emplace_back(key + suffix, numbers.*member);
   }
 }
 
@@ -101,7 +113,11 @@ template <class Message>
 bool BagPipeline::is_a(const rosbag::MessageInstance& message) const {
   const std::string topic = kTopic<Message>;
   const std::string name = short_name(message);
-  return message.isType<Message>() && (name == topic || name == kOfSecondBody + topic);
+  if (!message.isType<Message>()) return false;
+  for (std::size_t body = 0; body < kMostBodies; ++body) {
+    if (name == topics_of_body(body) + topic) return true;
+  }
+  return false;
 }
 
 template <class Message>
@@ -173,8 +189,11 @@ void BagPipeline::report(const std::string& problem) {
 }
 
 bool BagPipeline::is_of_wall(const std::string& topic) const {
-  const std::string of_wall = full_name(kOfSecondBody);
-  return topic.compare(0, of_wall.size(), of_wall) == 0;
+  for (std::size_t body = 1; body < kMostBodies; ++body) {
+    const std::string of_body = full_name(topics_of_body(body));
+    if (topic.compare(0, of_body.size(), of_body) == 0) return true;
+  }
+  return false;
 }
 
 YAML::Node BagPipeline::document() const {
@@ -262,9 +281,9 @@ void BagPipeline::add_result(const lattice_impact::Restitution& restitution) {
                  {"complete", restitution.complete != 0},
                  {"velocity", std::hypot(restitution.velocity_before,
                                          restitution.tangential_velocity_before)}}};
-  const bool slides = !std::isnan(restitution.tangential_restitution);
-  add_impact(restitution, "", slides, result);
-  add_impact(restitution.error, "_error", slides, result);
+  const std::set<std::string> keys = telling(restitution);
+  add_impact(restitution, "", keys, result);
+  add_impact(restitution.error, "_error", keys, result);
   result.entries.emplace_back("restitution_of_run", restitution.restitution_of_run);
   result.entries.emplace_back("restitution_of_run_error", restitution.restitution_of_run_error);
   result.entries.emplace_back("flags", restitution.flags);

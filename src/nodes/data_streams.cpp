@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "nodes/has_second_body.hpp"
+#include "nodes/body_topics.hpp"
 
 namespace impact {
 
@@ -12,16 +12,18 @@ DataStreams::Topics::Topics(Readers& readers, const std::string& prefix)
       states(readers.advertise<lattice_impact::ParticleStates>(prefix + "particle_states")),
       forces(readers.advertise<lattice_impact::ContactForces>(prefix + "contact_forces")) {}
 
-DataStreams::DataStreams(Readers& readers, Readers* wall_readers, Readers& scalar_readers)
-    : disk_(readers, ""),
-      status_(readers.advertise<lattice_impact::RunStatus>("run_status", true)),
+DataStreams::DataStreams(std::size_t bodies, Readers& readers, Readers& wall_readers,
+                         Readers& scalar_readers)
+    : status_(readers.advertise<lattice_impact::RunStatus>("run_status", true)),
       scalars_(scalar_readers.advertise<lattice_impact::Scalars>("scalars")) {
-  if (wall_readers != nullptr) wall_.emplace(*wall_readers, kOfSecondBody);
+  for (std::size_t body = 0; body < bodies; ++body) {
+    bodies_.emplace_back(body == 0 ? readers : wall_readers, topics_of_body(body));
+  }
 }
 
-bool DataStreams::heard(BodyTopic body) const {
-  return bag_ || topics(body).states.getNumSubscribers() > 0 ||
-         topics(body).forces.getNumSubscribers() > 0;
+bool DataStreams::heard(std::size_t body) const {
+  return bag_ || bodies_[body].states.getNumSubscribers() > 0 ||
+         bodies_[body].forces.getNumSubscribers() > 0;
 }
 
 bool DataStreams::scalars_heard() const { return bag_ || scalars_.getNumSubscribers() > 0; }
@@ -47,16 +49,16 @@ void DataStreams::send(const ros::Publisher& publisher, const Message& message) 
   if (publisher.getNumSubscribers() > 0 || publisher.isLatched()) publisher.publish(message);
 }
 
-void DataStreams::send(BodyTopic body, const lattice_impact::Lattice& message) {
-  send(topics(body).lattice, message);
+void DataStreams::send(std::size_t body, const lattice_impact::Lattice& message) {
+  send(bodies_[body].lattice, message);
 }
 
-void DataStreams::send(BodyTopic body, const lattice_impact::ParticleStates& message) {
-  send(topics(body).states, message);
+void DataStreams::send(std::size_t body, const lattice_impact::ParticleStates& message) {
+  send(bodies_[body].states, message);
 }
 
-void DataStreams::send(BodyTopic body, const lattice_impact::ContactForces& message) {
-  send(topics(body).forces, message);
+void DataStreams::send(std::size_t body, const lattice_impact::ContactForces& message) {
+  send(bodies_[body].forces, message);
 }
 
 void DataStreams::send(const lattice_impact::RunStatus& message) { send(status_, message); }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "nodes/has_second_body.hpp"
+#include "nodes/body_topics.hpp"
 
 namespace impact {
 namespace {
@@ -17,7 +17,8 @@ constexpr const char* kLattice = "lattice";
 constexpr const char* kScalars = "scalars";
 
 bool is_lattice(const std::string& topic) {
-  return topic == kLattice || topic == kOfSecondBody + kLattice;
+  constexpr std::size_t kLength = 7;  // of the word
+  return topic.size() >= kLength && topic.compare(topic.size() - kLength, kLength, kLattice) == 0;
 }
 
 }  // namespace
@@ -33,10 +34,12 @@ void Inventory::add(const RunStatus& status) {
   runs_[status.run].status = status;
 }
 
-std::vector<std::string> Inventory::topics(const std::vector<std::string>& terms) {
-  std::vector<std::string> topics{kLattice, "particle_states", "contact_forces"};
-  if (has_second_body(terms)) {
-    for (std::size_t k = 0; k < 3; ++k) topics.push_back(kOfSecondBody + topics[k]);
+std::vector<std::string> Inventory::topics(const RunStatus& status) {
+  std::vector<std::string> topics;
+  for (std::size_t body = 0; body < bodies_said(status.bodies); ++body) {
+    for (const char* const topic : {kLattice, "particle_states", "contact_forces"}) {
+      topics.push_back(topics_of_body(body) + topic);
+    }
   }
   topics.insert(topics.end(), {kScalars, kStatus});
   return topics;
@@ -44,7 +47,7 @@ std::vector<std::string> Inventory::topics(const std::vector<std::string>& terms
 
 std::uint32_t Inventory::promised(const Run& run, const std::string& topic) {
   if (!run.status) return 0;
-  const auto all = topics(run.status->terms);
+  const auto all = topics(*run.status);
   if (std::find(all.begin(), all.end(), topic) == all.end()) return 0;
   if (topic == kStatus) return run.status->sequence + 1;
   if (topic == kScalars && count(run, topic) == 0) return 0;
@@ -70,7 +73,7 @@ std::uint32_t Inventory::states(std::uint32_t number) const {
   const auto run = runs_.find(number);
   if (run == runs_.end() || !run->second.status) return 0;
   std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
-  for (const std::string& topic : topics(run->second.status->terms)) {
+  for (const std::string& topic : topics(*run->second.status)) {
     if (topic == kStatus || topic == kScalars || is_lattice(topic)) continue;
     least = std::min(least, count(run->second, topic));
   }
@@ -79,7 +82,7 @@ std::uint32_t Inventory::states(std::uint32_t number) const {
 
 bool Inventory::has_all(const Run& run) {
   if (!has_ended(run.status)) return false;
-  const auto all = topics(run.status->terms);
+  const auto all = topics(*run.status);
   return std::all_of(all.begin(), all.end(), [&](const std::string& topic) {
     return count(run, topic) >= promised(run, topic);
   });
@@ -109,7 +112,7 @@ void Inventory::add_problems(std::uint32_t number, const Run& run,
     lines.push_back(fmt::format("run {}: its end was not announced", number));
     return;
   }
-  for (const std::string& topic : topics(run.status->terms)) {
+  for (const std::string& topic : topics(*run.status)) {
     const std::uint32_t expected = promised(run, topic);
     const std::uint32_t found = count(run, topic);
     if (found == expected) continue;

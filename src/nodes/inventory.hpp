@@ -46,8 +46,8 @@ class Inventory {
     std::optional<lattice_impact::RunStatus> status;  ///< the latest
   };
 
-  /// Those of the simulation in a run with these terms of the force.
-  static std::vector<std::string> topics(const std::vector<std::string>& terms);
+  /// Those of the simulation in a run with this status.
+  static std::vector<std::string> topics(const lattice_impact::RunStatus& status);
   static std::uint32_t promised(const Run& run, const std::string& topic);
   static std::uint32_t count(const Run& run, const std::string& topic);
   static bool has_all(const Run& run);

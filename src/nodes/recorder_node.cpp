@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "nodes/has_second_body.hpp"
+#include "nodes/body_topics.hpp"
 #include "nodes/program.hpp"
 
 namespace impact {
@@ -58,7 +58,8 @@ RecorderNode::RecorderNode(const RecorderNodeParameters& parameters)
 void RecorderNode::run() {
   subscribers_.push_back(node_.subscribe("acknowledged", 0, &RecorderNode::take_acknowledgement,
                                          this, ros::TransportHints().tcpNoDelay()));
-  for (const std::string& prefix : {std::string(), kOfSecondBody}) {
+  for (std::size_t body = 0; body < kMostBodies; ++body) {
+    const std::string prefix = topics_of_body(body);
     record<lattice_impact::Lattice>(prefix + "lattice");
     record<lattice_impact::ParticleStates>(prefix + "particle_states");
     record<lattice_impact::ContactForces>(prefix + "contact_forces");

@@ -49,14 +49,14 @@ std::string first_of(std::initializer_list<std::string> faults) {
 
 bool differ(double a, double b, double tolerance) { return !(std::abs(a - b) <= tolerance); }
 
-/// The part of the velocity at which two disks meet that the first one has; empty: not known, since
-/// the second one comes from a file.
+/// The part of the velocity at which disks meet that the first one has; empty: not known, since the
+/// others come from a file.
 std::optional<double> share_of_velocity(const Scene& scene, std::size_t points) {
   if (!scene.hits_disk()) return 1.0;
   const auto number = static_cast<double>(points);
-  const auto of_second = scene.second_disk_points(number);
-  if (!of_second) return std::nullopt;
-  return reduced_mass(*of_second / number);
+  const auto of_each = scene.points_of_row_disk(number);
+  if (!of_each) return std::nullopt;
+  return reduced_mass(scene.wall.disks * *of_each / number);
 }
 
 }  // namespace
@@ -199,12 +199,18 @@ std::string RunChecks::fault_of_sliding(const State& start, const Scene& scene) 
 std::string RunChecks::fault_of(const RunStatus& status) {
   if (status.phase > RunStatus::INTERRUPTED) return fmt::format("phase {}", status.phase);
   if (status.run >= status.runs) return fmt::format("run {} of {}", status.run, status.runs);
+  if (status.bodies < 1 || status.bodies > kMostBodies) {
+    return fmt::format("{} bodies", status.bodies);
+  }
   return {};
 }
 
 std::string RunChecks::fault_at_end(const RunStatus& status, const Scene& scene,
                                     std::uint32_t states) const {
   if (states > status.states) return fmt::format("{} states, {} announced", states, status.states);
+  if (status.bodies != 1 + scene.other_bodies()) {
+    return fmt::format("{} bodies, of the scene {}", status.bodies, 1 + scene.other_bodies());
+  }
   const bool gave_up = has_flag(status.flags, Flag::kNotSeparated);
   if (status.phase != RunStatus::FINISHED || scene.kind != SceneKind::kCollision || gave_up) {
     return {};

@@ -36,7 +36,8 @@ double expected_size(const Scene& scene, const Composition& composition) {
 }
 
 Forecast forecast_of(const Scene& scene, const Composition& composition) {
-  return forecast(scene, composition.bodies->disk.points.rows(), composition.field.second_points());
+  return forecast(scene, composition.bodies->disk().points.rows(),
+                  composition.field.other_points());
 }
 
 /// Stamps must differ from one state to the next, and fit into ros::Duration.
@@ -52,9 +53,11 @@ void check_stamps(double seconds_per_time_unit, double period, double longest_ti
   }
 }
 
-bool has_second_body(const std::vector<Scene>& series) {
-  return std::any_of(series.begin(), series.end(),
-                     [](const Scene& scene) { return scene.has_second_body(); });
+/// Of the run that has most.
+std::size_t most_bodies(const std::vector<Scene>& series) {
+  std::size_t most = 1;
+  for (const Scene& scene : series) most = std::max(most, 1 + scene.other_bodies());
+  return most;
 }
 
 double free_space(const std::string& file) {
@@ -119,11 +122,9 @@ SimulationNode::SimulationNode(const SimulationNodeParameters& parameters,
       series_(std::move(series)),
       compositions_(std::move(compositions)),
       readers_(node_, parameters.wait_for),
-      wall_readers_(has_second_body(series_)
-                        ? std::make_optional<Readers>(node_, parameters.wait_for_wall)
-                        : std::nullopt),
+      wall_readers_(node_, parameters.wait_for_wall),
       scalar_readers_(node_, parameters.wait_for_scalars),
-      streams_(readers_, wall_readers_ ? &*wall_readers_ : nullptr, scalar_readers_),
+      streams_(most_bodies(series_), readers_, wall_readers_, scalar_readers_),
       pacing_(node_, parameters.acknowledged_by) {
   if (parameters.publish_clock) clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 0);
   if (parameters.max_rate > 0.0) rate_.emplace(parameters.max_rate);
@@ -137,7 +138,7 @@ bool SimulationNode::run_series() {
         "publish_clock");
   }
   readers_.wait(parameters_.timeout);
-  if (wall_readers_) wall_readers_->wait(parameters_.timeout);
+  wall_readers_.wait(parameters_.timeout);
   scalar_readers_.wait(parameters_.timeout);
   pacing_.wait_for_links(parameters_.timeout);
   if (!asked_to_end()) streams_.open_bag(parameters_.bag);
@@ -217,17 +218,18 @@ void SimulationNode::start(const Scene& scene, const Run& run) {
   status_.integrator = name_of(run.integrator());
   status_.terms = run.system().field().terms();
 
-  send_lattice(BodyTopic::kDisk, run.lattice(), run);
-  if (run.second_lattice() != nullptr) send_lattice(BodyTopic::kWall, *run.second_lattice(), run);
+  status_.bodies = static_cast<std::uint32_t>(run.bodies().size());
+
+  for (std::size_t body = 0; body < run.bodies().size(); ++body) send_lattice(body, run);
 }
 
-void SimulationNode::send_lattice(BodyTopic body, const Lattice& lattice, const Run& run) {
-  lattice_impact::Lattice message = to_message(lattice);
+void SimulationNode::send_lattice(std::size_t body, const Run& run) {
+  lattice_impact::Lattice message = to_message(run.bodies()[body].lattice);
   message.header.stamp = stamp(run);
   message.run = status_.run;
-  message.name = body == BodyTopic::kDisk ? "disk" : "wall";
+  message.name = name_of_body(body);
   message.point_mass = run.system().field().point_mass;
-  if (body == BodyTopic::kDisk) checksum_ += checksum_of(message);
+  if (body == 0) checksum_ += checksum_of(message);
   streams_.send(body, message);
 }
 
@@ -236,11 +238,8 @@ void SimulationNode::publish_output(Run& run, ImpactAnalysis& analysis) {
   analysis.add(reports.on_first);
   if (status_.states == 0 || run.finished()) run.show(analysis);
   if (streams_.scalars_heard()) send_scalars(run, reports.on_first);
-  if (streams_.heard(BodyTopic::kDisk)) {
-    send(BodyTopic::kDisk, run.disk_state(), reports.on_first, stamp(run));
-  }
-  if (run.second_lattice() != nullptr && streams_.heard(BodyTopic::kWall)) {
-    send(BodyTopic::kWall, run.second_state(), reports.on_second, stamp(run));
+  for (std::size_t body = 0; body < run.bodies().size(); ++body) {
+    if (streams_.heard(body)) send(body, run.state_of(body), reports.on(body), stamp(run));
   }
   ++status_.states;
   if (status_.states % kStatusInterval == 0) {
@@ -254,14 +253,14 @@ void SimulationNode::publish_output(Run& run, ImpactAnalysis& analysis) {
   keep_pace();
 }
 
-void SimulationNode::send(BodyTopic body, const State& state, const ContactReport& report,
+void SimulationNode::send(std::size_t body, const State& state, const ContactReport& report,
                           const ros::Time& stamp) {
   lattice_impact::ParticleStates states = to_message(state);
   lattice_impact::ContactForces forces = to_message(report);
   states.header.stamp = forces.header.stamp = stamp;
   states.run = forces.run = status_.run;
   states.sequence = forces.sequence = status_.states;
-  if (body == BodyTopic::kDisk) checksum_ += checksum_of(states) + checksum_of(forces);
+  if (body == 0) checksum_ += checksum_of(states) + checksum_of(forces);
   streams_.send(body, states);
   streams_.send(body, forces);
 }
@@ -300,7 +299,7 @@ void SimulationNode::take_answer(const ErrorControl& control) {
 void SimulationNode::keep_pace() {
   ros::spinOnce();
   readers_.check();
-  if (wall_readers_) wall_readers_->check();
+  wall_readers_.check();
   scalar_readers_.check();
   wait_for_readers(static_cast<std::int64_t>(status_.states) - Pacing::kWindow);
   if (rate_) rate_->sleep();
@@ -308,7 +307,7 @@ void SimulationNode::keep_pace() {
 
 void SimulationNode::wait_for_readers(std::int64_t sequence) {
   pacing_.wait(status_.run, sequence, parameters_.timeout, [this](const std::string& name) {
-    return readers_.hears(name) || (wall_readers_ && wall_readers_->hears(name));
+    return readers_.hears(name) || wall_readers_.hears(name);
   });
 }
 

@@ -46,8 +46,8 @@ class SimulationNode {
   Restitution publish_run(Run& run, const Scene& scene);
   void start(const Scene& scene, const Run& run);
   void publish_output(Run& run, ImpactAnalysis& analysis);
-  void send_lattice(BodyTopic body, const Lattice& lattice, const Run& run);
-  void send(BodyTopic body, const State& state, const ContactReport& report,
+  void send_lattice(std::size_t body, const Run& run);
+  void send(std::size_t body, const State& state, const ContactReport& report,
             const ros::Time& stamp);
   void send_scalars(const Run& run, const ContactReport& report);
   void publish_status(const Run& run, std::uint8_t phase, const std::string& error = {});
@@ -62,7 +62,7 @@ class SimulationNode {
   Compositions compositions_;
   ros::NodeHandle node_;
   Readers readers_;
-  std::optional<Readers> wall_readers_;
+  Readers wall_readers_;
   Readers scalar_readers_;
   DataStreams streams_;
   Pacing pacing_;

@@ -187,20 +187,31 @@ visualization_msgs::MarkerArray ViewerMarkers::draw(const Snapshot& snapshot) {
   Marker centre = triangles(header, "centre of mass", 0, Layer::kCentre);
   add_centre(centre_of_mass(*snapshot.disk.states), 0.05, centre);
   array.markers.push_back(centre);
-  if (snapshot.wall) {
-    array.markers.push_back(points(header, "wall", *snapshot.wall, colour(0.45F, 0.38F, 0.25F)));
-    array.markers.push_back(bonds(header, "wall", *snapshot.wall, strains(*snapshot.wall),
-                                  strain_range_, wall_strain_colour));
-  } else {
-    array.markers.push_back(wall_line(header));
-    array.markers.push_back(lines(header, "wall", 1, Layer::kBonds, 0.0));  // of a run before
-  }
-  add_scale(header, snapshot.wall.has_value(), array.markers);
+  add_others(header, snapshot.others, array.markers);
+  add_scale(header, !snapshot.others.empty(), array.markers);
   add_text(header, snapshot, array.markers);
   for (Marker& marker : array.markers) {
     if (marker.type != Marker::TEXT_VIEW_FACING) delete_if_empty(marker);
   }
   return array;
+}
+
+/// What the disk meets, and nothing where a run before had more.
+void ViewerMarkers::add_others(const Header& header, const std::vector<BodySnapshot>& others,
+                               std::vector<Marker>& markers) {
+  int id = 0;
+  const auto add = [&](Marker marker) {
+    marker.id = id++;
+    markers.push_back(std::move(marker));
+  };
+  for (const BodySnapshot& body : others) {
+    add(points(header, "wall", body, colour(0.45F, 0.38F, 0.25F)));
+    add(bonds(header, "wall", body, strains(body), strain_range_, wall_strain_colour));
+  }
+  if (others.empty()) add(wall_line(header));
+  const int drawn = id;
+  while (id < most_of_others_) add(lines(header, "wall", id, Layer::kBonds, 0.0));
+  most_of_others_ = std::max(most_of_others_, drawn);
 }
 
 Marker ViewerMarkers::trace(const Header& header) const {

@@ -34,6 +34,8 @@ class ViewerMarkers {
  private:
   void begin_if_new(const lattice_impact::ParticleStates& states);
   void take_in(const Snapshot& snapshot, const std::vector<double>& strains);
+  void add_others(const std_msgs::Header& header, const std::vector<BodySnapshot>& others,
+                  std::vector<visualization_msgs::Marker>& markers);
   visualization_msgs::Marker trace(const std_msgs::Header& header) const;
   visualization_msgs::Marker forces(const std_msgs::Header& header, const Snapshot& snapshot) const;
   void add_scale(const std_msgs::Header& header, bool has_wall_lattice,
@@ -43,6 +45,7 @@ class ViewerMarkers {
   double time_ = 0.0;  ///< R/c, of the last state drawn
   double strain_range_ = 0.0;
   double peak_force_ = 0.0;
+  int most_of_others_ = 2;              ///< markers in use so far, or of another viewer before
   std::vector<Eigen::Vector2d> trace_;  ///< R
 };
 

@@ -4,6 +4,7 @@
 #include <geometry_msgs/WrenchStamped.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include "nodes/body_topics.hpp"
 #include "nodes/program.hpp"
 
 namespace impact {
@@ -37,21 +38,21 @@ ViewerNode::ViewerNode()
       frames_(node_.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true)) {
   using lattice_impact::ParticleStatesConstPtr;
   const auto add = [this](const auto& message) { assembly_.add(message); };
-  for (const char* topic : {"lattice", "wall/lattice"}) {
-    subscribers_.push_back(node_.subscribe<lattice_impact::Lattice>(topic, kQueue, add));
-  }
   subscribers_.push_back(node_.subscribe<RunStatus>(
       "run_status", kQueue, [this](const lattice_impact::RunStatusConstPtr& status) {
         assembly_.add(status);
         status_ = status;
       }));
   subscribers_.push_back(
-      node_.subscribe<lattice_impact::ParticleStates>("particle_states", kQueue, add));
-  subscribers_.push_back(
       node_.subscribe<lattice_impact::ContactForces>("contact_forces", kQueue, add));
-  subscribers_.push_back(node_.subscribe<lattice_impact::ParticleStates>(
-      "wall/particle_states", kQueue,
-      [this](const ParticleStatesConstPtr& states) { assembly_.add_of_wall(states); }));
+  for (std::size_t body = 0; body < kMostBodies; ++body) {
+    const std::string prefix = topics_of_body(body);
+    subscribers_.push_back(
+        node_.subscribe<lattice_impact::Lattice>(prefix + "lattice", kQueue, add));
+    subscribers_.push_back(node_.subscribe<lattice_impact::ParticleStates>(
+        prefix + "particle_states", kQueue,
+        [this, body](const ParticleStatesConstPtr& states) { assembly_.add(body, states); }));
+  }
   diagnostics_.setHardwareID("none");
   diagnostics_.add("simulation", [this](auto& diagnosis) { diagnose(*status_, diagnosis); });
 }

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "nodes/has_second_body.hpp"
+#include "nodes/body_topics.hpp"
 
 namespace impact {
 namespace {
@@ -35,12 +35,10 @@ bool fit(const lattice_impact::ContactForces& forces, const lattice_impact::Part
 
 /// The disk's begins a run, perhaps of another simulation, which counts from 0 again.
 void SnapshotAssembly::add(const lattice_impact::LatticeConstPtr& lattice) {
-  if (lattice->name == "wall") {
-    wall_ = lattice;
-  } else {
-    disk_ = lattice;
-    states_.clear();
+  for (std::size_t body = 0; body < kMostBodies; ++body) {
+    if (lattice->name == name_of_body(body)) lattices_[body] = lattice;
   }
+  if (lattice->name == name_of_body(0)) states_.clear();
 }
 
 void SnapshotAssembly::add(const lattice_impact::RunStatusConstPtr& status) { status_ = status; }
@@ -51,16 +49,12 @@ SnapshotAssembly::State& SnapshotAssembly::state_of(const Message& message) {
   return states_[{message.run, message.sequence}];
 }
 
-void SnapshotAssembly::add(const lattice_impact::ParticleStatesConstPtr& states) {
-  state_of(*states).disk = states;
+void SnapshotAssembly::add(std::size_t body, const lattice_impact::ParticleStatesConstPtr& states) {
+  state_of(*states).bodies[body] = states;
 }
 
 void SnapshotAssembly::add(const lattice_impact::ContactForcesConstPtr& forces) {
   state_of(*forces).forces = forces;
-}
-
-void SnapshotAssembly::add_of_wall(const lattice_impact::ParticleStatesConstPtr& states) {
-  state_of(*states).wall = states;
 }
 
 std::optional<Snapshot> SnapshotAssembly::take() {
@@ -75,14 +69,15 @@ std::optional<Snapshot> SnapshotAssembly::take() {
 }
 
 std::optional<Snapshot> SnapshotAssembly::snapshot_of(const State& state) const {
-  Snapshot snapshot{{disk_, state.disk}, state.forces, std::nullopt, status_};
-  if (!fit_together(snapshot.disk) || !state.forces || !fit(*state.forces, *state.disk) ||
-      !status_ || status_->run != state.disk->run) {
+  const auto& disk = state.bodies.front();
+  Snapshot snapshot{{lattices_.front(), disk}, state.forces, {}, status_};
+  if (!fit_together(snapshot.disk) || !state.forces || !fit(*state.forces, *disk) || !status_ ||
+      status_->run != disk->run) {
     return std::nullopt;
   }
-  if (has_second_body(status_->terms)) {
-    snapshot.wall = BodySnapshot{wall_, state.wall};
-    if (!fit_together(*snapshot.wall)) return std::nullopt;
+  for (std::size_t body = 1; body < bodies_said(status_->bodies); ++body) {
+    snapshot.others.push_back({lattices_[body], state.bodies[body]});
+    if (!fit_together(snapshot.others.back())) return std::nullopt;
   }
   return snapshot;
 }

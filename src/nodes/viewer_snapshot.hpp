@@ -5,10 +5,15 @@
 #include <lattice_impact/ParticleStates.h>
 #include <lattice_impact/RunStatus.h>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <utility>
+#include <vector>
+
+#include "mechanics/body.hpp"
 
 namespace impact {
 
@@ -22,7 +27,7 @@ struct BodySnapshot {
 struct Snapshot {
   BodySnapshot disk;
   lattice_impact::ContactForcesConstPtr forces;  ///< on the disk's points
-  std::optional<BodySnapshot> wall;              ///< of a scene with an elastic wall
+  std::vector<BodySnapshot> others;              ///< what the disk meets, if made of points
   lattice_impact::RunStatusConstPtr status;      ///< the latest of the run
 };
 
@@ -32,18 +37,17 @@ class SnapshotAssembly {
  public:
   void add(const lattice_impact::LatticeConstPtr& lattice);
   void add(const lattice_impact::RunStatusConstPtr& status);
-  void add(const lattice_impact::ParticleStatesConstPtr& states);
+  /// Of the body of this number; 0: the disk.
+  void add(std::size_t body, const lattice_impact::ParticleStatesConstPtr& states);
   void add(const lattice_impact::ContactForcesConstPtr& forces);
-  void add_of_wall(const lattice_impact::ParticleStatesConstPtr& states);
 
   /// The newest state, if it or the status of its run has come since the last call.
   std::optional<Snapshot> take();
 
  private:
   struct State {
-    lattice_impact::ParticleStatesConstPtr disk;
+    std::array<lattice_impact::ParticleStatesConstPtr, kMostBodies> bodies;
     lattice_impact::ContactForcesConstPtr forces;
-    lattice_impact::ParticleStatesConstPtr wall;
   };
   using Position = std::pair<std::uint32_t, std::uint32_t>;  // run, sequence
 
@@ -51,8 +55,7 @@ class SnapshotAssembly {
   State& state_of(const Message& message);
   std::optional<Snapshot> snapshot_of(const State& state) const;
 
-  lattice_impact::LatticeConstPtr disk_;
-  lattice_impact::LatticeConstPtr wall_;
+  std::array<lattice_impact::LatticeConstPtr, kMostBodies> lattices_;
   lattice_impact::RunStatusConstPtr status_;
   std::map<Position, State> states_;  ///< the newest that is whole, and those after it
   std::pair<lattice_impact::ParticleStatesConstPtr, lattice_impact::RunStatusConstPtr> taken_;

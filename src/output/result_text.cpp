@@ -42,7 +42,18 @@ const std::vector<Entry>& found(SceneKind kind) {
         {"impulse_ratio", "impulse ratio", ""},
         {"normal_energy", "E′ along y / E", ""},
         {"tangential_energy", "E′ along x / E", ""},
-        {"rotation_energy", "E′ of spin / E", ""}}},
+        {"rotation_energy", "E′ of spin / E", ""},
+        {"momentum_passed_on", "momentum passed on", ""},
+        {"restitution_of_ends", "e of the ends", ""},
+        {"wall_velocity_after", "disk 2: v after", "c"},
+        {"wall_tangential_velocity_after", "drift", "c"},
+        {"wall_spin_after", "spin", "c/R"},
+        {"wall2_velocity_after", "disk 3: v after", "c"},
+        {"wall2_tangential_velocity_after", "drift", "c"},
+        {"wall2_spin_after", "spin", "c/R"},
+        {"wall3_velocity_after", "disk 4: v after", "c"},
+        {"wall3_tangential_velocity_after", "drift", "c"},
+        {"wall3_spin_after", "spin", "c/R"}}},
       {SceneKind::kContact,
        {{"strain", "strain ξ", "R"},
         {"wall_force", "wall force", "M c²/R"},
@@ -190,8 +201,10 @@ std::string title(const Scene& scene) {
   std::string throw_text = fmt::format("{:g} c", scene.impact.velocity);
   if (scene.impact.angle != 0.0) throw_text += fmt::format(" and {:g}°", scene.impact.angle);
   if (scene.impact.spin != 0.0) throw_text += fmt::format(", spin {:g} c/R", scene.impact.spin);
-  return fmt::format("collision at {}{}, {}", throw_text,
-                     scene.wall.kind == WallKind::kLattice ? " with an elastic wall" : "", disk);
+  std::string with;
+  if (scene.wall.kind == WallKind::kLattice) with = " with an elastic wall";
+  if (scene.is_row()) with = fmt::format(" with a row of {} disks", scene.wall.disks);
+  return fmt::format("collision at {}{}, {}", throw_text, with, disk);
 }
 
 std::string result_block(const Result& result, const Scene& scene,

@@ -35,8 +35,8 @@ void write_drawing(Run& run, const std::filesystem::path& folder, const std::str
   }
   Table bonds({"first", "second", "strain"});
   add_bonds(run.lattice(), position, 0, bonds);
-  if (run.second_lattice() != nullptr) {
-    add_bonds(*run.second_lattice(), position, run.lattice().points.rows(), bonds);
+  for (std::size_t k = 1; k < run.bodies().size(); ++k) {
+    add_bonds(run.bodies()[k].lattice, position, run.system().field().body(k).first, bonds);
   }
   points.write(folder / (name + "_points.csv"));
   bonds.write(folder / (name + "_bonds.csv"));

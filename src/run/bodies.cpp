@@ -12,7 +12,7 @@
 #include "run/balance.hpp"
 #include "run/elastic_wall_body.hpp"
 #include "run/file_lattice.hpp"
-#include "run/second_disk.hpp"
+#include "run/row_of_disks.hpp"
 
 namespace impact {
 namespace {
@@ -88,10 +88,24 @@ BondLaw law_of(const Scene& scene, const Scene::Material& material, double point
   return {material.k_a, material.k_b, scene.is_static() ? 0.0 : material.eta * point_mass};
 }
 
-std::optional<SecondBody> second_body(const Scene& scene, const Lattice& disk) {
-  if (scene.has_elastic_wall()) return elastic_wall_body(scene, disk.points.rows());
-  if (scene.hits_disk()) return second_disk(scene, disk);
-  return std::nullopt;
+/// What the disk meets.
+std::vector<PlacedBody> others(const Scene& scene, const Lattice& disk) {
+  if (scene.has_elastic_wall()) return {elastic_wall_body(scene, disk.points.rows())};
+  if (scene.hits_disk()) return row_of_disks(scene, disk);
+  return {};
+}
+
+void add_flags(const std::vector<std::string>& flags, std::vector<std::string>& all) {
+  for (const std::string& flag : flags) {
+    if (std::find(all.begin(), all.end(), flag) == all.end()) all.push_back(flag);
+  }
+}
+
+/// Of the bodies from one on, one after another.
+Lattice joined_from(std::size_t first, const std::vector<BodyOfScene>& bodies) {
+  Lattice all = bodies[first].lattice;
+  for (std::size_t k = first + 1; k < bodies.size(); ++k) all = joined(all, bodies[k].lattice);
+  return all;
 }
 
 Spectrum unit_spectrum(const Lattice& lattice, bool damped) {
@@ -100,28 +114,33 @@ Spectrum unit_spectrum(const Lattice& lattice, bool damped) {
 
 }  // namespace
 
+Eigen::Index Bodies::other_points() const { return bonds.points() - disk().points.rows(); }
+
+Lattice Bodies::joined() const { return joined_from(0, all); }
+
 std::shared_ptr<const Bodies> make_bodies(const Scene& scene) {
-  auto [disk, flags] = scene.kind == SceneKind::kStretch
-                           ? FileLattice{stretched_rectangle(scene), {}}
-                           : disk_lattice(scene);
-  const std::optional<SecondBody> second = second_body(scene, disk);
-  if (second) {
-    for (const std::string& flag : second->flags) {
-      if (std::find(flags.begin(), flags.end(), flag) == flags.end()) flags.push_back(flag);
-    }
+  FileLattice first = scene.kind == SceneKind::kStretch
+                          ? FileLattice{stretched_rectangle(scene), {}}
+                          : disk_lattice(scene);
+  std::vector<PlacedBody> placed;
+  placed.push_back({std::move(first.lattice), {}, std::move(first.flags)});
+  for (PlacedBody& other : others(scene, placed.front().lattice)) {
+    placed.push_back(std::move(other));
   }
-  const Lattice all = second ? joined(disk, second->lattice) : disk;
-  Triangles triangles(disk);
-  std::optional<Triangles> second_triangles;
-  if (second) second_triangles.emplace(second->lattice);
-  std::optional<Spectrum> spectrum;
-  if (!scene.is_static()) spectrum = unit_spectrum(all, scene.material.eta != 0.0);
   const bool flies = scene.kind == SceneKind::kCollision && !scene.is_static();
-  const Flexibility of_disk = flies ? flexibility(disk) : Flexibility{};
-  const Flexibility of_second = flies && second ? flexibility(second->lattice) : Flexibility{};
+  std::vector<BodyOfScene> all;
+  std::vector<std::string> flags;
+  for (PlacedBody& body : placed) {
+    add_flags(body.flags, flags);
+    Triangles triangles(body.lattice);
+    const Flexibility of_body = flies ? flexibility(body.lattice) : Flexibility{};
+    all.push_back({std::move(body), std::move(triangles), of_body});
+  }
+  const Lattice lattice = joined_from(0, all);
+  std::optional<Spectrum> spectrum;
+  if (!scene.is_static()) spectrum = unit_spectrum(lattice, scene.material.eta != 0.0);
   return std::make_shared<const Bodies>(
-      Bodies{std::move(disk), second, std::move(triangles), std::move(second_triangles),
-             BondForces(all, BondLaw{}), spectrum, of_disk, of_second, std::move(flags)});
+      Bodies{std::move(all), BondForces(lattice, BondLaw{}), spectrum, std::move(flags)});
 }
 
 std::string key_of_bodies(const Scene& scene) {
@@ -139,7 +158,8 @@ std::string key_of_bodies(const Scene& scene) {
                        wall.height.value_or(0.0), wall.file);
   }
   if (scene.hits_disk()) {
-    key += fmt::format("\ndisk {} {} {}", scene.wall.radius, scene.wall.mirrored, scene.wall.file);
+    key += fmt::format("\ndisks {} {} {} {}", scene.wall.disks, scene.wall.radius,
+                       scene.wall.mirrored, scene.wall.file);
   }
   return key;
 }
@@ -148,33 +168,29 @@ BondForces bonds_of(const Scene& scene, const Bodies& bodies, double point_mass)
   const BondLaw of_disk = law_of(scene, scene.material, point_mass);
   if (!scene.has_own_wall_material()) return bodies.bonds.with(of_disk);
   const BondLaw of_wall = law_of(scene, scene.wall_material(), point_mass);
-  return BondForces::of_two_bodies(BondForces(bodies.disk, of_disk),
-                                   BondForces(bodies.second->lattice, of_wall));
-}
-
-double second_mass(const Bodies& bodies) {
-  return static_cast<double>(bodies.second->lattice.points.rows()) /
-         static_cast<double>(bodies.disk.points.rows());
+  return BondForces::of_two_laws(BondForces(bodies.disk(), of_disk),
+                                 BondForces(joined_from(1, bodies.all), of_wall));
 }
 
 double reduced_mass(const Scene& scene, const Bodies& bodies) {
-  return scene.hits_disk() ? reduced_mass(second_mass(bodies)) : 1.0;
+  if (!scene.hits_disk()) return 1.0;
+  return reduced_mass(static_cast<double>(bodies.other_points()) /
+                      static_cast<double>(bodies.disk().points.rows()));
 }
 
 Spectrum spectrum_of(const Scene& scene, const Bodies& bodies, double point_mass) {
   const BondLaw law = law_of(scene, scene.material, point_mass);
   if (scene.has_own_wall_material()) {
-    const Spectrum disk = lattice_spectrum(bodies.disk, law, point_mass);
+    const Spectrum disk = lattice_spectrum(bodies.disk(), law, point_mass);
     const Spectrum wall = lattice_spectrum(
-        bodies.second->lattice, law_of(scene, scene.wall_material(), point_mass), point_mass);
+        joined_from(1, bodies.all), law_of(scene, scene.wall_material(), point_mass), point_mass);
     return {std::max(disk.omega_squared, wall.omega_squared), std::max(disk.gamma, wall.gamma)};
   }
   Spectrum unit;
   if (bodies.spectrum && (law.eta == 0.0 || bodies.spectrum->gamma > 0.0)) {
     unit = *bodies.spectrum;
   } else {
-    unit = unit_spectrum(bodies.second ? joined(bodies.disk, bodies.second->lattice) : bodies.disk,
-                         law.eta != 0.0);
+    unit = unit_spectrum(bodies.joined(), law.eta != 0.0);
   }
   return {law.k_a / point_mass * unit.omega_squared, law.eta / point_mass * unit.gamma};
 }

@@ -12,7 +12,7 @@
 #include "run/elastic_wall_body.hpp"
 #include "run/expected_time.hpp"
 #include "run/forecast.hpp"
-#include "run/second_disk.hpp"
+#include "run/row_of_disks.hpp"
 #include "run/spinning_shape.hpp"
 
 namespace impact {
@@ -24,7 +24,7 @@ constexpr Resolution kNoMotion{IntegratorKind::kNewton, 1.0, 0.0};
 /// The ends are drawn apart by grips that hold x and let y go, so that they do not hinder the
 /// lateral contraction.
 Composition compose_stretch(const Scene& scene, std::shared_ptr<const Bodies> bodies) {
-  const Lattice& lattice = bodies->disk;
+  const Lattice& lattice = bodies->disk();
   const double mass = 1.0 / scene.disk.recipe.points;
   const BondLaw law{scene.material.k_a, scene.material.k_b, 0.0};
   ForceField field{bodies->bonds.with(law), mass};
@@ -44,7 +44,7 @@ Composition compose_stretch(const Scene& scene, std::shared_ptr<const Bodies> bo
 
 /// The disk at the start of an impact: as it is, or stretched by its steady spin.
 PointArray shape_at_start(const Scene& scene, const Bodies& bodies) {
-  const PointArray& reference = bodies.disk.points;
+  const PointArray& reference = bodies.disk().points;
   const double spin = scene.kind == SceneKind::kCollision ? scene.impact.spin : 0.0;
   return spin == 0.0 ? reference : spinning_shape(scene, bodies);
 }
@@ -60,13 +60,17 @@ void move_aside(const Scene& scene, const Bodies& bodies, const Repulsion& law, 
   disk.col(0) -= scene.impact.tangent() * (lowest - law.gap_of_energy(energy));
 }
 
+/// A gap between disks from which on all that their points hold is a negligible energy.
+double negligible_gap(const Scene& scene, const Bodies& bodies, const Repulsion& law) {
+  const double negligible = reduced_mass(scene, bodies) * negligible_wall_energy(scene);
+  return law.gap_of_energy(negligible / static_cast<double>(bodies.bonds.points()));
+}
+
 /// A height from which on what the disk meets holds less than a negligible energy.
 double negligible_height(const Scene& scene, const Bodies& bodies, const PotentialWall& wall,
                          const PointArray& disk) {
-  const double negligible = reduced_mass(scene, bodies) * negligible_wall_energy(scene);
-  if (!scene.hits_disk()) return wall.height_of_energy(disk, negligible);
-  const Eigen::Index points = disk.rows() + bodies.second->lattice.points.rows();
-  return wall.gap_of_energy(negligible / static_cast<double>(points));
+  if (scene.hits_disk()) return negligible_gap(scene, bodies, wall);
+  return wall.height_of_energy(disk, negligible_wall_energy(scene));
 }
 
 /// The disk as it comes down, at any height.
@@ -78,14 +82,31 @@ PointArray disk_at_start(const Scene& scene, const Bodies& bodies) {
   return disk;
 }
 
-/// The disk above what it meets, which has its surface at y = 0. A wall is at rest, two disks move
-/// as seen from their common centre of mass.
+/// Between the disks of a row, R.
+double gap_in_row(const Scene& scene, const Bodies& bodies, const Repulsion& law) {
+  return scene.hits_disk() ? negligible_gap(scene, bodies, law) : 0.0;
+}
+
+/// A row with a negligible gap from disk to disk, and the wall as it lies.
+void place_others(const Bodies& bodies, double gap, PointArray& position) {
+  Eigen::Index row = bodies.disk().points.rows();
+  for (std::size_t k = 1; k < bodies.all.size(); ++k) {
+    const PointArray& points = bodies.all[k].lattice.points;
+    auto placed = position.middleRows(row, points.rows());
+    placed = points;
+    placed.col(1) -= static_cast<double>(k - 1) * gap;
+    row += points.rows();
+  }
+}
+
+/// The disk above what it meets, which has its surface at y = 0. A wall is at rest, disks move as
+/// seen from their common centre of mass.
 State initial_state(const Scene& scene, const Bodies& bodies, const PotentialWall& wall) {
   PointArray disk = disk_at_start(scene, bodies);
   const Eigen::Index points = disk.rows();
-  const Eigen::Index second_points = bodies.second ? bodies.second->lattice.points.rows() : 0;
+  const Eigen::Index other_points = bodies.other_points();
   State state;
-  state.velocity = PointArray::Zero(points + second_points, 2);
+  state.velocity = PointArray::Zero(points + other_points, 2);
   if (scene.kind == SceneKind::kContact) {
     raise(wall.gap_of_force(scene.load.p), disk);
   } else {
@@ -98,46 +119,62 @@ State initial_state(const Scene& scene, const Bodies& bodies, const PotentialWal
     state.velocity.col(1).head(points) =
         velocity.y() + scene.impact.spin * (disk.col(0) - centre.x());
     if (scene.hits_disk()) {
-      const double ratio = static_cast<double>(points) / static_cast<double>(second_points);
-      state.velocity.bottomRows(second_points).rowwise() -= ratio * velocity.transpose();
+      const double ratio = static_cast<double>(points) / static_cast<double>(other_points);
+      state.velocity.bottomRows(other_points).rowwise() -= ratio * velocity.transpose();
     }
     const double lowest = gap_at_start(scene, negligible_height(scene, bodies, wall, disk));
     raise(lowest, disk);
     if (scene.hits_disk()) move_aside(scene, bodies, wall, lowest, disk);
   }
-  state.position.resize(points + second_points, 2);
+  state.position.resize(points + other_points, 2);
   state.position.topRows(points) = disk;
-  if (bodies.second) state.position.bottomRows(second_points) = bodies.second->lattice.points;
+  place_others(bodies, gap_in_row(scene, bodies, wall), state.position);
   return state;
+}
+
+void add_others(const Scene& scene, const Bodies& bodies, ForceField& field) {
+  Eigen::Index row = bodies.disk().points.rows();
+  for (std::size_t k = 1; k < bodies.all.size(); ++k) {
+    const Eigen::Index points = bodies.all[k].lattice.points.rows();
+    field.others.push_back({row, points, scene.hits_disk()});
+    row += points;
+  }
+}
+
+void add_disk_contacts(const Scene& scene, const Bodies& bodies, const Repulsion& law,
+                       const PointArray& position, ForceField& field) {
+  std::vector<std::vector<std::int32_t>> outlines;
+  for (std::size_t k = 0; k < bodies.all.size(); ++k) {
+    outlines.push_back(closed_outline(bodies.all[k].lattice.points, field.body(k).first));
+  }
+  field.disk_contacts.emplace(law, scene.wall.threshold, outlines, position);
 }
 
 void add_terms(const Scene& scene, const Bodies& bodies, const PotentialWall& wall,
                const PointArray& position, ForceField& field) {
-  if (bodies.second) {
-    field.second_body =
-        Body{bodies.disk.points.rows(), bodies.second->lattice.points.rows(), scene.hits_disk()};
-  }
+  add_others(scene, bodies, field);
   if (scene.has_elastic_wall()) {
-    add_elastic_wall(scene, *bodies.second, wall, position, field);
+    add_elastic_wall(scene, bodies.all.back(), wall, position, field);
   } else if (scene.hits_disk()) {
-    add_disk_contact(scene, bodies.disk, *bodies.second, wall, position, field);
+    add_disk_contacts(scene, bodies, wall, position, field);
   } else {
     field.wall = wall;
   }
   if (scene.gravity != 0.0 && scene.kind == SceneKind::kCollision) {
-    field.gravity.emplace(scene.gravity, bodies.disk.points.rows());
+    field.gravity.emplace(scene.gravity, bodies.disk().points.rows());
   }
   if (scene.kind != SceneKind::kContact) return;
-  field.load.emplace(scene.load.p, bodies.disk.points.rows());
-  if (scene.load.hold_rotation) field.hold.emplace(bodies.disk.points);
+  field.load.emplace(scene.load.p, bodies.disk().points.rows());
+  if (scene.load.hold_rotation) field.hold.emplace(bodies.disk().points);
 }
 
 Composition compose_on_wall(const Scene& scene, std::shared_ptr<const Bodies> bodies) {
-  const Eigen::Index points = bodies->disk.points.rows();
+  const Eigen::Index points = bodies->disk().points.rows();
   const double mass = 1.0 / static_cast<double>(points);
   const PotentialWall wall = repulsion(scene, points);
 
   State initial = initial_state(scene, *bodies, wall);
+  const double row_gap = gap_in_row(scene, *bodies, wall);
   ForceField field{bonds_of(scene, *bodies, mass), mass};
   add_terms(scene, *bodies, wall, initial.position, field);
   const double sound_speed = estimated_sound_speed(scene.material.k_a);
@@ -157,16 +194,16 @@ Composition compose_on_wall(const Scene& scene, std::shared_ptr<const Bodies> bo
           std::move(initial),
           rates_of_scene,
           first_resolution(scene, rates_of_scene),
-          expected_time(scene, points, gap)};
+          expected_time(scene, points, gap, row_gap)};
 }
 
 }  // namespace
 
 State start_of(const Composition& composition, const Resolution& resolution) {
   State start = composition.initial;
-  const Eigen::Index points = composition.bodies->disk.points.rows();
+  const Eigen::Index points = composition.bodies->disk().points.rows();
   start.position.col(1).head(points) += resolution.lift;
-  if (composition.field.disk_contact) {
+  if (composition.field.disk_contacts) {
     const auto velocity = start.velocity.topRows(points).colwise().mean();
     start.position.col(0).head(points) += velocity(0) / velocity(1) * resolution.lift;
   }
@@ -180,8 +217,7 @@ void refuse_impossible(const Scene& scene) {
 
 Composition compose(const Scene& scene, std::shared_ptr<const Bodies> bodies) {
   refuse_missing_integrator(scene);
-  refuse_if_too_long(scene, bodies->disk.points.rows(),
-                     bodies->second ? bodies->second->lattice.points.rows() : 0);
+  refuse_if_too_long(scene, bodies->disk().points.rows(), bodies->other_points());
   if (scene.kind == SceneKind::kContact && has_flag(bodies->flags, Flag::kFloppy)) {
     throw InputError(fmt::format(
         "disk.file: {}: the lattice is floppy, it can change its shape without a change of a bond: "

@@ -12,10 +12,6 @@ ForceSample sample_of(const System& system) {
   return {system.time(), contact != nullptr ? contact->total_force().y() : 0.0};
 }
 
-void number_within(const Body& body, std::vector<PointForce>& forces) {
-  for (PointForce& force : forces) force.point -= static_cast<std::int32_t>(body.first);
-}
-
 }  // namespace
 
 ContactRecorder::ContactRecorder(const System& start, double contact_force)
@@ -34,19 +30,25 @@ void ContactRecorder::add_step(const System& system) {
 
 ContactReports ContactRecorder::take(const System& system) {
   const ForceField& field = system.field();
-  const State& state = system.state();
   ContactReports reports;
   reports.on_first = std::exchange(report_, ContactReport{});
-  reports.on_first.time = reports.on_second.time = state.time;
-  reports.on_first.step = reports.on_second.step = state.step;
-  if (const Contact* const contact = field.contact()) {
-    reports.on_first.total = contact->total_force();
-    reports.on_second.total = -contact->total_force();
-    reports.on_first.points = contact->contacts(state.position, contact_force_);
-    reports.on_second.points = contact->reactions(state.position, contact_force_);
-    if (field.second_body) number_within(*field.second_body, reports.on_second.points);
-  }
+  reports.on_others.resize(field.others.size());
+  enter(system, 0, reports.on_first);
+  for (std::size_t k = 0; k < field.others.size(); ++k) enter(system, k + 1, reports.on_others[k]);
   return reports;
+}
+
+/// What acts on the body of this number now.
+void ContactRecorder::enter(const System& system, std::size_t number, ContactReport& report) const {
+  const State& state = system.state();
+  report.time = state.time;
+  report.step = state.step;
+  const Contact* const contact = system.field().contact();
+  if (contact == nullptr) return;
+  report.total = contact->total_force_on(number);
+  report.points = contact->forces_on(number, state.position, contact_force_);
+  const Eigen::Index first_row = system.field().body(number).first;
+  for (PointForce& force : report.points) force.point -= static_cast<std::int32_t>(first_row);
 }
 
 }  // namespace impact

@@ -1,15 +1,23 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "measure/contact_report.hpp"
 #include "mechanics/system.hpp"
 
 namespace impact {
 
-/// What happened to the first body and, where it meets a second one, to that. The second report has
-/// no samples: they are the first's with the opposite sign.
+/// What happened to each body. Only the first report has samples: those of the force on the first
+/// body.
 struct ContactReports {
   ContactReport on_first;
-  ContactReport on_second;
+  std::vector<ContactReport> on_others;
+
+  /// By the number of the body; 0: the first.
+  const ContactReport& on(std::size_t body) const {
+    return body == 0 ? on_first : on_others[body - 1];
+  }
 };
 
 /// Follows the contact force step by step and sums it up into reports.
@@ -26,6 +34,8 @@ class ContactRecorder {
   ContactReports take(const System& system);
 
  private:
+  void enter(const System& system, std::size_t number, ContactReport& report) const;
+
   double contact_force_;
   ForceSample last_;
   ContactReport report_;

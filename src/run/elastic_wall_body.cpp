@@ -36,7 +36,7 @@ Lattice placed_wall(const Scene& scene, Eigen::Index disk_points) {
   const PlacementRecipe recipe{scene.wall.points, scene.disk.recipe.placement, true};
   try {
     return triangulated_lattice(
-        place_in_rectangle(recipe, width, height, scene.seed ^ kSeedOfSecondBody));
+        place_in_rectangle(recipe, width, height, scene.seed ^ kSeedOfOtherBody));
   } catch (const InputError& error) {
     throw InputError(fmt::format("wall.points: {}", error.what()));
   }
@@ -102,7 +102,7 @@ class DashpotBuilder {
 
 }  // namespace
 
-ViscousBoundary viscous_boundary(const SecondBody& wall, double point_mass, double k_a,
+ViscousBoundary viscous_boundary(const PlacedBody& wall, double point_mass, double k_a,
                                  std::int32_t first_row) {
   DashpotBuilder builder(wall.lattice, point_mass, k_a);
   builder.add_side(wall.sides.left, 0);
@@ -111,7 +111,7 @@ ViscousBoundary viscous_boundary(const SecondBody& wall, double point_mass, doub
   return builder.boundary(first_row);
 }
 
-SecondBody elastic_wall_body(const Scene& scene, Eigen::Index disk_points) {
+PlacedBody elastic_wall_body(const Scene& scene, Eigen::Index disk_points) {
   if (scene.wall.file.empty()) {
     Lattice lattice = placed_wall(scene, disk_points);
     move_into_place(lattice);
@@ -128,7 +128,7 @@ SecondBody elastic_wall_body(const Scene& scene, Eigen::Index disk_points) {
   }
 }
 
-void add_elastic_wall(const Scene& scene, const SecondBody& wall, const Repulsion& law,
+void add_elastic_wall(const Scene& scene, const PlacedBody& wall, const Repulsion& law,
                       const PointArray& position, ForceField& field) {
   const auto first_row = static_cast<std::int32_t>(position.rows() - wall.lattice.points.rows());
   std::vector<std::int32_t> points(static_cast<std::size_t>(first_row));

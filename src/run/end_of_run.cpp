@@ -74,7 +74,7 @@ double negligible_static_force(const Scene& scene, Eigen::Index points, double s
 
 std::unique_ptr<EndOfRun> end_of_run(const Scene& scene, const Composition& composition,
                                      double step) {
-  const Eigen::Index points = composition.bodies->disk.points.rows();
+  const Eigen::Index points = composition.bodies->disk().points.rows();
   if (scene.is_static()) {
     return std::make_unique<StaticEnd>(negligible_static_force(scene, points, step));
   }

@@ -235,6 +235,9 @@ void ErrorControl::conclude(double noise) {
   answer_.error.velocity_after = answer_.error.restitution * std::abs(finest.velocity_before);
   answer_.error_of_run = std::abs(finest.restitution - e) + answer_.error.restitution;
   estimated_error_ = answer_.error.restitution / std::abs(e);
+  if (scene_.is_row()) {
+    estimated_error_ = std::max(estimated_error_, answer_.error.momentum_passed_on);
+  }
   if (!scene_.impact.slides()) return;
   if (std::isfinite(answer_.value.tangential_restitution)) {
     estimated_error_ = std::max(estimated_error_, answer_.error.tangential_restitution);

@@ -29,11 +29,14 @@ double relaxation_time(const Scene& scene, Eigen::Index points) {
   return std::log(10.0 / scene.numerics.error) / rate;
 }
 
-double impact_time(const Scene& scene, double gap) {
+double impact_time(const Scene& scene, double gap, double gap_in_row) {
   const double softer = std::min(scene.material.k_a, scene.wall_material().k_a);
   const double sound_speed = estimated_sound_speed(softer);
   const double v = scene.impact.normal_velocity();
-  return 2.0 * std::max(0.0, gap) / v + contact_time_at_most(sound_speed, v);
+  const double contact = contact_time_at_most(sound_speed, v);
+  const double in_row =
+      scene.hits_disk() ? (scene.wall.disks - 1) * (gap_in_row / v + contact) : 0.0;
+  return 2.0 * std::max(0.0, gap) / v + contact + in_row;
 }
 
 }  // namespace
@@ -91,8 +94,8 @@ double gap_at_start(const Scene& scene, double negligible_height) {
   return on_whole_resets(scene, negligible_height + kApproach * scene.impact.normal_velocity());
 }
 
-double expected_time(const Scene& scene, Eigen::Index points, double gap) {
-  return scene.kind == SceneKind::kCollision ? impact_time(scene, gap)
+double expected_time(const Scene& scene, Eigen::Index points, double gap, double gap_in_row) {
+  return scene.kind == SceneKind::kCollision ? impact_time(scene, gap, gap_in_row)
                                              : relaxation_time(scene, points);
 }
 

@@ -49,7 +49,7 @@ double on_whole_resets(const Scene& scene, double height);
 double gap_at_start(const Scene& scene, double negligible_height);
 
 /// Rough time at which the question of a scene of motion is answered, R/c. `gap`: of a collision,
-/// see gap_at_start().
-double expected_time(const Scene& scene, Eigen::Index points, double gap);
+/// see gap_at_start(), `gap_in_row`: from disk to disk of a row (R).
+double expected_time(const Scene& scene, Eigen::Index points, double gap, double gap_in_row);
 
 }  // namespace impact

@@ -107,15 +107,15 @@ Eigen::Index points_of(const Scene& scene) {
   return static_cast<Eigen::Index>(std::min(kMost, scene.disk.recipe.points * area / M_PI));
 }
 
-Eigen::Index second_points_of(const Scene& scene) {
+Eigen::Index other_points_of(const Scene& scene) {
   if (scene.has_elastic_wall()) return scene.wall.points;
   if (!scene.hits_disk()) return 0;
   const int points = scene.disk.recipe.points;
-  return scene.second_disk_points(points).value_or(points);
+  return Eigen::Index{scene.wall.disks} * scene.points_of_row_disk(points).value_or(points);
 }
 
 /// The keys whose defaults would at least halve the time, those that would most first.
-std::vector<std::string> causes(const Scene& scene, Eigen::Index points, Eigen::Index second_points,
+std::vector<std::string> causes(const Scene& scene, Eigen::Index points, Eigen::Index other_points,
                                 double seconds) {
   constexpr std::size_t kMost = 3;
   std::vector<std::pair<double, std::string>> found;
@@ -125,7 +125,7 @@ std::vector<std::string> causes(const Scene& scene, Eigen::Index points, Eigen::
     Scene other = scene;
     parameter.read(other, parameter.write(Scene{}));
     const double time = other.has_recipes_only() ? forecast(other).seconds
-                                                 : forecast(other, points, second_points).seconds;
+                                                 : forecast(other, points, other_points).seconds;
     if (time < 0.5 * seconds) found.emplace_back(time, parameter.key);
   }
   std::sort(found.begin(), found.end());
@@ -139,24 +139,24 @@ std::vector<std::string> causes(const Scene& scene, Eigen::Index points, Eigen::
 }  // namespace
 
 Forecast forecast(const Scene& scene) {
-  return forecast(scene, points_of(scene), second_points_of(scene));
+  return forecast(scene, points_of(scene), other_points_of(scene));
 }
 
-Forecast forecast(const Scene& scene, Eigen::Index points, Eigen::Index second_points) {
+Forecast forecast(const Scene& scene, Eigen::Index points, Eigen::Index other_points) {
   if (scene.is_static()) return of_static_solution(scene, points);
   const auto number = static_cast<double>(points);
   const PotentialWall wall = repulsion(scene, points);
   const Rates expected = rates(scene, typical_spectrum(scene, number), wall,
                                static_cast<int>(points), estimated_sound_speed(scene.material.k_a));
-  double time = expected_time(
-      scene, points, gap_at_start(scene, wall.gap_of_energy(negligible_wall_energy(scene))));
+  const double gap = wall.gap_of_energy(negligible_wall_energy(scene));
+  double time = expected_time(scene, points, gap_at_start(scene, gap), gap);
   if (scene.kind == SceneKind::kCollision) {
     time += kFlight / expected.sound_speed;
   } else {
     time *= kPartOfRelaxation;
   }
   const Work work = work_of(scene, expected, time);
-  const double of_step = kStep + kStepOfPoint * static_cast<double>(points + second_points);
+  const double of_step = kStep + kStepOfPoint * static_cast<double>(points + other_points);
   return {work.steps, work.steps * work.cost_of_step * of_step};
 }
 
@@ -166,13 +166,13 @@ std::string text(const Forecast& forecast) {
 }
 
 void refuse_if_too_long(const Scene& scene) {
-  refuse_if_too_long(scene, points_of(scene), second_points_of(scene));
+  refuse_if_too_long(scene, points_of(scene), other_points_of(scene));
 }
 
-void refuse_if_too_long(const Scene& scene, Eigen::Index points, Eigen::Index second_points) {
-  const Forecast expected = forecast(scene, points, second_points);
+void refuse_if_too_long(const Scene& scene, Eigen::Index points, Eigen::Index other_points) {
+  const Forecast expected = forecast(scene, points, other_points);
   if (expected.seconds <= scene.numerics.longest) return;
-  const std::vector<std::string> keys = causes(scene, points, second_points, expected.seconds);
+  const std::vector<std::string> keys = causes(scene, points, other_points, expected.seconds);
   throw InputError(fmt::format(
       "numerics.longest: this scene would take about {}{}, allowed: at most {} s", text(expected),
       keys.empty() ? "" : fmt::format(" ({})", fmt::join(keys, ", ")), scene.numerics.longest));

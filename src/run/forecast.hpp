@@ -19,8 +19,8 @@ struct Forecast {
 /// so many points as the scene's recipe has.
 Forecast forecast(const Scene& scene);
 
-/// Of lattices with so many points: the disk's, or the rectangle's, and those of the second body.
-Forecast forecast(const Scene& scene, Eigen::Index points, Eigen::Index second_points);
+/// Of lattices with so many points: the disk's, or the rectangle's, and those of all other bodies.
+Forecast forecast(const Scene& scene, Eigen::Index points, Eigen::Index other_points);
 
 /// "2.1e+08 steps and 12 min on one processor".
 std::string text(const Forecast& forecast);
@@ -31,6 +31,6 @@ constexpr double kWorthTelling = 60.0;
 /// @throw InputError when the scene takes longer than its numerics.longest, naming the keys to
 /// which that is due: those whose defaults would at least halve the time.
 void refuse_if_too_long(const Scene& scene);
-void refuse_if_too_long(const Scene& scene, Eigen::Index points, Eigen::Index second_points);
+void refuse_if_too_long(const Scene& scene, Eigen::Index points, Eigen::Index other_points);
 
 }  // namespace impact

@@ -14,6 +14,17 @@ constexpr double kFirstOrder = 1.0 / 3.0;  // of the spacing
 
 }  // namespace
 
+InnerMotion inner_motion(const System& system, const Body& body, const BodyMotion& motion) {
+  // Where it is calm, what is left of its kinetic energy is rounding, of either sign.
+  constexpr double kRounding = 1e-12;
+  const ForceField& field = system.field();
+  const double mass = field.mass_of(body);
+  const double kinetic = field.kinetic_energy(body, system.state());
+  const double vibrations =
+      std::max(0.0, kinetic - 0.5 * mass * motion.velocity.square().sum()) + kRounding * kinetic;
+  return {vibrations + field.bond_energy(body, system.state()), mass * motion.angular_momentum};
+}
+
 double energy_margin(double energy) { return kEnergyMargin * energy; }
 
 double elongation(double energy, double k_a) { return std::sqrt(2.0 * energy / k_a); }

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
+#include "mechanics/body_motion.hpp"
 #include "mechanics/state.hpp"
+#include "mechanics/system.hpp"
 #include "scene/scene.hpp"
 #include "statics/flexibility.hpp"
 #include "statics/folding.hpp"
@@ -68,6 +71,8 @@ class FreeBody {
   std::optional<Tethers> tethers_;
 };
 
+/// Of a body that is free.
+InnerMotion inner_motion(const System& system, const Body& body, const BodyMotion& motion);
 /// The elongation X (R) of a bond that holds this energy (M c²).
 double elongation(double energy, double k_a);
 /// How far a point of a lattice may come out of place (R), X being the elongation and s the
@@ -75,5 +80,16 @@ double elongation(double energy, double k_a);
 double swing(const Flexibility& lattice, double elongation, double spacing);
 /// What an energy that is summed up in steps of time may be at most.
 double energy_margin(double energy);
+
+/// The least of `most`, most/2, most/4, … that it is true of; infinity if it is not true of the
+/// first.
+template <class Holds>
+double least_that(const Holds& holds, double most) {
+  constexpr int kTries = 16;
+  if (!holds(most)) return std::numeric_limits<double>::infinity();
+  double least = most;
+  for (int k = 0; k < kTries && holds(0.5 * least); ++k) least *= 0.5;
+  return least;
+}
 
 }  // namespace impact

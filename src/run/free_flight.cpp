@@ -45,42 +45,12 @@ bool stays_above_turning(const PointArray& reference, const Flight& flight, cons
   return false;
 }
 
-/// The least of `most`, most/2, most/4, … that it is true of; infinity if it is not true of the
-/// first.
-template <class Holds>
-double least_that(const Holds& holds, double most) {
-  constexpr int kTries = 16;
-  if (!holds(most)) return kInfinity;
-  double least = most;
-  for (int k = 0; k < kTries && holds(0.5 * least); ++k) least *= 0.5;
-  return least;
-}
-
 double wall_kinetic_energy(const System& system) {
-  return system.field().kinetic_energy(*system.field().second_body, system.state());
-}
-
-/// Of a body that is free, in the frame of its centre of mass. Where it is calm, what is left of
-/// its kinetic energy is rounding, of either sign.
-InnerMotion inner_motion(const System& system, const Body& body, const BodyMotion& motion) {
-  constexpr double kRounding = 1e-12;
-  const ForceField& field = system.field();
-  const double mass = field.mass_of(body);
-  const double kinetic = field.kinetic_energy(body, system.state());
-  const double vibrations =
-      std::max(0.0, kinetic - 0.5 * mass * motion.velocity.square().sum()) + kRounding * kinetic;
-  return {vibrations + field.bond_energy(body, system.state()), mass * motion.angular_momentum};
+  return system.field().kinetic_energy(system.field().others.front(), system.state());
 }
 
 double spacing_of(const Lattice& disk) {
   return std::sqrt(M_PI / static_cast<double>(disk.points.rows()));
-}
-
-std::optional<FreeBody> other_disk(const Scene& scene, const Bodies& bodies) {
-  if (!scene.hits_disk()) return std::nullopt;
-  const Lattice& lattice = bodies.second->lattice;
-  return FreeBody(lattice, *bodies.second_triangles, bodies.second_flexibility,
-                  scene.wall_material(), spacing_of(bodies.disk), second_mass(bodies));
 }
 
 }  // namespace
@@ -93,39 +63,14 @@ bool stays_above(const PointArray& reference, const Flight& flight, const WallAb
 FreeFlight::FreeFlight(Scene scene, std::shared_ptr<const Bodies> bodies)
     : scene_(std::move(scene)),
       bodies_(std::move(bodies)),
-      disk_(bodies_->disk, bodies_->triangles, bodies_->flexibility, scene_.material,
-            spacing_of(bodies_->disk), 1.0),
-      other_disk_(other_disk(scene_, *bodies_)),
-      spacing_(spacing_of(bodies_->disk)) {}
-
-double FreeFlight::energy_bound(const System& system, double most) {
-  return other_disk_ ? bound_between_disks(system, most) : bound_above_wall(system, most);
+      disk_(bodies_->disk(), bodies_->all.front().triangles, bodies_->all.front().flexibility,
+            scene_.material, spacing_of(bodies_->disk()), 1.0),
+      spacing_(spacing_of(bodies_->disk())) {
+  if (scene_.hits_disk()) disks_.emplace(scene_, *bodies_);
 }
 
-double FreeFlight::bound_between_disks(const System& system, double most) {
-  const ForceField& field = system.field();
-  const Body one = field.first_body();
-  const Body other = *field.second_body;
-  const PointArray position = one.rows_of(system.state().position);
-  const PointArray position_of_other = other.rows_of(system.state().position);
-  const BodyMotion motion = body_motion(position, one.rows_of(system.state().velocity));
-  const BodyMotion motion_of_other =
-      body_motion(position_of_other, other.rows_of(system.state().velocity));
-  const Eigen::Array2d apart = motion.centre - motion_of_other.centre;
-  if (!((apart * (motion.velocity - motion_of_other.velocity)).sum() > 0.0)) return kInfinity;
-
-  const double energy = field.impact_energy(motion.velocity.y());
-  const auto points = static_cast<double>(position.rows() + position_of_other.rows());
-  const Contact& contact = *field.contact();
-  const double reach = disk_.reach(inner_motion(system, one, motion), position);
-  const double reach_of_other =
-      other_disk_->reach(inner_motion(system, other, motion_of_other), position_of_other);
-  const auto holds = [&](double fraction) {
-    const double gap =
-        std::min(contact.gap_of_energy(fraction * energy / points), contact.threshold());
-    return apart.matrix().norm() >= reach + reach_of_other + gap;
-  };
-  return least_that(holds, most);
+double FreeFlight::energy_bound(const System& system, double most) {
+  return disks_ ? disks_->energy_bound(system, most) : bound_above_wall(system, most);
 }
 
 double FreeFlight::bound_above_wall(const System& system, double most) {
@@ -162,17 +107,17 @@ double FreeFlight::bound_above_wall(const System& system, double most) {
 }
 
 FreeFlight::Surface FreeFlight::surface(const System& system) {
-  if (!bodies_->second) return {0.0, 0.0};
+  if (bodies_->is_alone()) return {0.0, 0.0};
   const double energy = wall_kinetic_energy(system) +
-                        system.field().bond_energy(*system.field().second_body, system.state());
+                        system.field().bond_energy(system.field().others.front(), system.state());
   if (scene_.wall.boundary == Boundary::kFixed) {
     return clamped_surface(elongation(energy_margin(energy), scene_.wall_material().k_a));
   }
-  const PointArray position = system.field().second_body->rows_of(system.state().position);
+  const PointArray position = system.field().others.front().rows_of(system.state().position);
   if (wall_rests(system, energy)) {
     return free_surface(position, position, 2.0 * wall_kinetic_energy(system));
   }
-  return free_surface(bodies_->second->lattice.points, position, energy_margin(energy));
+  return free_surface(bodies_->all.back().lattice.points, position, energy_margin(energy));
 }
 
 bool FreeFlight::wall_rests(const System& system, double energy) {
@@ -182,12 +127,12 @@ bool FreeFlight::wall_rests(const System& system, double energy) {
 }
 
 FreeFlight::Surface FreeFlight::clamped_surface(double elongation) const {
-  const SecondBody& wall = *bodies_->second;
+  const PlacedBody& wall = bodies_->all.back();
   const auto bonds = static_cast<double>(wall.sides.top.size() - 1);
   const double length = wall.lattice.points(wall.sides.top.back(), 0) -
                         wall.lattice.points(wall.sides.top.front(), 0);
   const double chain = 0.5 * length + elongation * std::sqrt(0.5 * bonds);
-  const double rise = 2.0 * swing(bodies_->second_flexibility, elongation, spacing_);
+  const double rise = 2.0 * swing(bodies_->all.back().flexibility, elongation, spacing_);
   return {elongation <= spacing_ ? std::min(rise, chain) : chain, 0.0};
 }
 
@@ -195,24 +140,24 @@ FreeFlight::Surface FreeFlight::free_surface(const PointArray& shape, const Cons
                                              double energy) {
   const PointArray reference = about_the_centre(shape);
   const double centre = position.col(1).mean();
-  const auto disk_points = static_cast<double>(bodies_->disk.points.rows());
+  const auto disk_points = static_cast<double>(bodies_->disk().points.rows());
   const double mass = static_cast<double>(reference.rows()) / disk_points;
   const double x = elongation(energy, scene_.wall_material().k_a);
-  if (x <= spacing_ && std::isfinite(bodies_->second_flexibility.compliance)) {
+  if (x <= spacing_ && std::isfinite(bodies_->all.back().flexibility.compliance)) {
     const double angle = rigid_rotation(reference, position);
     const double lever = reference.col(0).abs().maxCoeff();
     const double inertia = reference.square().sum() / disk_points;
     return {centre + turned_heights(reference, angle).maxCoeff() +
-                swing(bodies_->second_flexibility, x, spacing_),
+                swing(bodies_->all.back().flexibility, x, spacing_),
             std::sqrt(2.0 * energy * (1.0 / mass + lever * lever / inertia))};
   }
-  if (!wall_tethers_) wall_tethers_.emplace(bodies_->second->lattice);
+  if (!wall_tethers_) wall_tethers_.emplace(bodies_->all.back().lattice);
   return {centre + wall_tethers_->largest_distance(x), std::sqrt(2.0 * energy / mass)};
 }
 
 WallAbove FreeFlight::wall_above(const System& system, double limit) const {
   const Contact& contact = *system.field().contact();
-  if (!bodies_->second)
+  if (bodies_->is_alone())
     return {PotentialWall(contact.a(), contact.potential_at(0.0)), kInfinity, limit};
   return {PotentialWall(kLeastGap * contact.a(), contact.potential_at(0.0)),
           scene_.wall.threshold / kLeastGap, limit};

@@ -8,6 +8,7 @@
 #include "mechanics/system.hpp"
 #include "run/bodies.hpp"
 #include "run/free_body.hpp"
+#include "run/parting_disks.hpp"
 #include "scene/scene.hpp"
 #include "statics/tethers.hpp"
 
@@ -55,14 +56,13 @@ bool stays_above(const PointArray& reference, const Flight& flight, const WallAb
 ///
 /// Under gravity the flight is followed to its top: what comes after is another impact.
 ///
-/// Two disks that fly apart do so for good where the distance of their centres exceeds what both
-/// reach, and the gap at which all points of their outlines together would hold the limit.
+/// Disks that fly apart: see PartingDisks.
 class FreeFlight {
  public:
   FreeFlight(Scene scene, std::shared_ptr<const Bodies> bodies);
 
   /// Below which fraction of M V²/2 the contact's energy will stay, V the velocity of the centre of
-  /// mass along y, or of both disks' energy along y: `most`, or a half, a quarter, … of it as far
+  /// mass along y, or of all disks' energy along y: `most`, or a half, a quarter, … of it as far
   /// as can be shown, 2⁻¹⁶ at the least. Infinity if the disk does not fly away, or if not even
   /// `most` can be shown.
   double energy_bound(const System& system, double most);
@@ -74,7 +74,6 @@ class FreeFlight {
     double speed;
   };
   double bound_above_wall(const System& system, double most);
-  double bound_between_disks(const System& system, double most);
   Surface surface(const System& system);
   Surface clamped_surface(double elongation) const;
   Surface free_surface(const PointArray& shape, const ConstPoints& position, double energy);
@@ -84,7 +83,7 @@ class FreeFlight {
   Scene scene_;
   std::shared_ptr<const Bodies> bodies_;
   FreeBody disk_;
-  std::optional<FreeBody> other_disk_;
+  std::optional<PartingDisks> disks_;
   double spacing_;
   std::optional<Tethers> wall_tethers_;
   bool wall_rested_ = false;  ///< at the last look

@@ -30,7 +30,7 @@ State turned(const State& start, double angle) {
 /// lanes; NaN: it does not come to rest.
 std::vector<double> rests_from(const std::vector<double>& angles, const Scene& scene,
                                const Composition& composition) {
-  const StrainMeter meter(composition.bodies->disk.points);
+  const StrainMeter meter(composition.bodies->disk().points);
   const double tolerance = negligible_static_force(scene, composition.initial.position.rows(),
                                                    composition.resolution.step);
   std::vector<std::unique_ptr<EquilibriumSearch>> searches;
@@ -62,7 +62,7 @@ bool are_same(double first, double second) {
 bool rests_elsewhere(const Scene& scene, const Composition& composition, const PointArray& rest) {
   constexpr std::size_t kStarts = LaneEquilibriumSolver::kSearches;
   constexpr double kNudge = 0.02;  // rad
-  const double rotation = StrainMeter(composition.bodies->disk.points).measure(rest).rotation;
+  const double rotation = StrainMeter(composition.bodies->disk().points).measure(rest).rotation;
   std::vector<double> starts(kStarts, rotation + kNudge);
   for (std::size_t k = 0; k < kStarts; ++k) {
     starts[k] += 2.0 * M_PI * static_cast<double>(k) / kStarts;

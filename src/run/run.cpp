@@ -93,11 +93,11 @@ void show(const ForceField& field, const State& state, ImpactAnalysis& analysis)
     return State{state.time, state.step, body.rows_of(state.position),
                  body.rows_of(state.velocity)};
   };
-  if (field.second_body && field.second_body->is_free) {
-    analysis.add(part(field.first_body()), part(*field.second_body));
-  } else {
-    analysis.add(part(field.first_body()));
+  std::vector<State> others;
+  for (const Body& body : field.others) {
+    if (body.is_free) others.push_back(part(body));
   }
+  analysis.add(part(field.first_body()), others);
 }
 
 Run::Run(const Scene& scene, const std::shared_ptr<const Composition>& composition,
@@ -216,12 +216,11 @@ void Run::note_other_rests() {
 }
 
 void Run::note_folds() {
-  const Bodies& bodies = *composition_->bodies;
-  const PointArray& position = state().position;
-  folded_ = folded_ || bodies.triangles.turned_over(position.topRows(lattice().points.rows())) > 0;
-  if (!bodies.second_triangles) return;
-  const auto second = position.bottomRows(second_lattice()->points.rows());
-  folded_ = folded_ || bodies.second_triangles->turned_over(second) > 0;
+  const std::vector<BodyOfScene>& all = composition_->bodies->all;
+  for (std::size_t k = 0; k < all.size() && !folded_; ++k) {
+    const Body body = system_->field().body(k);
+    folded_ = all[k].triangles.turned_over(body.rows_of(state().position)) > 0;
+  }
 }
 
 void Run::end_motion() {

@@ -71,18 +71,16 @@ class Run {
   const PointArray& correction() const { return correction_; }
 
   bool finished() const { return finished_; }
-  const Lattice& lattice() const { return composition_->bodies->disk; }
-  /// Of an elastic wall or a second disk; nullptr when the scene has none.
-  const Lattice* second_lattice() const {
-    return composition_->bodies->second ? &composition_->bodies->second->lattice : nullptr;
-  }
+  const Lattice& lattice() const { return composition_->bodies->disk(); }
+  /// The disk and what it meets, as far as that is made of points.
+  const std::vector<BodyOfScene>& bodies() const { return composition_->bodies->all; }
   const System& system() const { return *system_; }
-  /// Of all points: the disk's and, after them, those of the second body.
+  /// Of all points: the disk's and, after them, those of the other bodies.
   const State& state() const { return system_->state(); }
   State state_of(const Body& body) const;
   State disk_state() const { return state_of(system_->field().first_body()); }
-  /// Of a scene that has one.
-  State second_state() const { return state_of(*system_->field().second_body); }
+  /// Of the body of this number; 0: the disk.
+  State state_of(std::size_t body) const { return state_of(system_->field().body(body)); }
   /// Shows an analysis what flies.
   void show(ImpactAnalysis& analysis) const { impact::show(system_->field(), state(), analysis); }
   /// The method in use.
@@ -111,7 +109,7 @@ class Run {
 
   /// Largest e that energy allows: √(1 + 2U₀/(M v²)) with the wall's energy U₀ at the start and v
   /// the velocity along y; where the disk also slides or spins, U₀ counts that energy too. Of two
-  /// disks M is the reduced mass and v the velocity against each other.
+  /// or more disks M is the reduced mass and v the velocity of the first against the others.
   double restitution_bound() const { return restitution_bound_; }
 
   /// Of the surface of an elastic wall under an oblique impact, from edge to edge of the contact:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -22,7 +23,7 @@ enum class SceneKind {
 enum class WallKind {
   kPotential,  ///< V₀ exp(−a y), §3 and §4 of the paper
   kLattice,    ///< an elastic lattice, §5 of the paper
-  kDisk        ///< another disk, free as the first
+  kDisk        ///< another disk or a row of them, free as the first
 };
 
 /// What happens to waves at the left, right and bottom side of an elastic wall.
@@ -64,7 +65,7 @@ struct Scene {
     WallKind kind = WallKind::kPotential;
     double a = 300.0;
     std::optional<double> v0;   ///< empty: a R m c², half of it for points, with m = M/N
-    std::optional<double> k_a;  ///< of the second body's bonds; empty: as in the disk
+    std::optional<double> k_a;  ///< of the bonds of what the disk meets; empty: as in the disk
     std::optional<double> k_b;
     std::optional<double> eta;  ///< η*
     int points = 1269;
@@ -75,7 +76,8 @@ struct Scene {
     Boundary boundary = Boundary::kReset;
     double reset_interval = 4.0e-3;
     double radius = 1.0;    ///< of a disk, R
-    bool mirrored = false;  ///< whether that disk is the first one's mirror image
+    bool mirrored = false;  ///< whether each disk is the mirror image of the one above it
+    int disks = 1;          ///< in a row, one below another
     /// A LAMMPS data file that replaces points, width and height, or radius; empty: none.
     std::string file;
   } wall;
@@ -128,18 +130,23 @@ struct Scene {
     return kind == SceneKind::kCollision && wall.kind == WallKind::kLattice;
   }
   bool hits_disk() const { return kind == SceneKind::kCollision && wall.kind == WallKind::kDisk; }
-  /// The points of a second disk beside a first one of so many; empty: as its file has them.
-  std::optional<int> second_disk_points(double first_points) const {
+  /// The points of each disk of a row below a first one of so many; empty: as its file has them.
+  std::optional<int> points_of_row_disk(double first_points) const {
     constexpr int kFewest = 3;
     if (wall.mirrored) return static_cast<int>(first_points);
     if (!wall.file.empty()) return std::nullopt;
     return std::max(kFewest,
                     static_cast<int>(std::round(first_points * wall.radius * wall.radius)));
   }
-  bool has_second_body() const { return has_elastic_wall() || hits_disk(); }
-  /// Of the second body, where it is not that of the disk.
+  bool is_row() const { return hits_disk() && wall.disks > 1; }
+  /// Of those bodies that the disk meets and that are made of points.
+  std::size_t other_bodies() const {
+    if (hits_disk()) return static_cast<std::size_t>(wall.disks);
+    return has_elastic_wall() ? 1 : 0;
+  }
+  /// Of the other bodies, where it is not that of the disk.
   bool has_own_wall_material() const {
-    return has_second_body() && (wall.k_a || wall.k_b || wall.eta);
+    return other_bodies() > 0 && (wall.k_a || wall.k_b || wall.eta);
   }
   Material wall_material() const {
     return {wall.k_a.value_or(material.k_a), wall.k_b.value_or(material.k_b),
@@ -157,7 +164,7 @@ struct Scene {
   bool has_recipes_only() const { return disk.file.empty() && wall.file.empty(); }
   /// Whether forces depend on velocities.
   bool is_damped() const {
-    return material.eta != 0.0 || (has_second_body() && wall_material().eta != 0.0) ||
+    return material.eta != 0.0 || (other_bodies() > 0 && wall_material().eta != 0.0) ||
            (has_elastic_wall() && wall.boundary == Boundary::kViscous);
   }
 };

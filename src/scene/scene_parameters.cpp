@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "mechanics/body.hpp"
+
 namespace impact {
 namespace {
 
@@ -36,17 +38,15 @@ bool has_elastic_wall(const Scene& scene) {
   return is_moved(scene) && scene.wall.kind == WallKind::kLattice;
 }
 
-bool has_second_disk(const Scene& scene) {
+bool meets_disks(const Scene& scene) {
   return is_moved(scene) && scene.wall.kind == WallKind::kDisk;
 }
 
 bool falls(const Scene& scene) {
-  return scene.kind == SceneKind::kCollision && !has_second_disk(scene);
+  return scene.kind == SceneKind::kCollision && !meets_disks(scene);
 }
 
-bool has_second_body(const Scene& scene) {
-  return has_elastic_wall(scene) || has_second_disk(scene);
-}
+bool meets_points(const Scene& scene) { return has_elastic_wall(scene) || meets_disks(scene); }
 
 Keys scene_keys() {
   return {
@@ -134,8 +134,8 @@ Keys where(const Condition& condition, Keys table) {
   return table;
 }
 
-Keys second_body_keys() {
-  return where(has_second_body,
+Keys other_body_keys() {
+  return where(meets_points,
                {real_or_auto<Scene>(
                     "wall.k_a", "M c²/R²", {0.0, 1e6, false},
                     "elastic wall or disk: linear stiffness of a bond; auto: as in the first disk",
@@ -159,16 +159,20 @@ Keys second_body_keys() {
                     [](auto& s) -> auto& { return s.wall.file; })});
 }
 
-Keys second_disk_keys() {
-  return where(
-      has_second_disk,
-      {real<Scene>(
-           "wall.radius", "R", {0.05, 20.0},
-           "disk: its radius, with points of the same mass, as dense as in the first one",
-           [](auto& s) -> auto& { return s.wall.radius; }),
-       flag<Scene>(
-           "wall.mirrored", "disk: the mirror image of the first one, in place of radius and file",
-           [](auto& s) -> auto& { return s.wall.mirrored; })});
+Keys row_keys() {
+  return where(meets_disks,
+               {real<Scene>(
+                    "wall.radius", "R", {0.05, 20.0},
+                    "disk: its radius, with points of the same mass, as dense as in the first one",
+                    [](auto& s) -> auto& { return s.wall.radius; }),
+                flag<Scene>(
+                    "wall.mirrored",
+                    "disk: the mirror image of the one above it, in place of radius and file",
+                    [](auto& s) -> auto& { return s.wall.mirrored; }),
+                whole<Scene>(
+                    "wall.disks", 1, static_cast<int>(kMostBodies) - 1,
+                    "disk: how many stand in a row, one below another, just out of contact",
+                    [](auto& s) -> auto& { return s.wall.disks; })});
 }
 
 Keys elastic_wall_keys() {
@@ -306,8 +310,8 @@ Keys numerics_keys() {
 Keys make_table() {
   Keys table;
   for (const auto& part :
-       {scene_keys(), disk_keys(), material_keys(), wall_keys(), second_body_keys(),
-        elastic_wall_keys(), second_disk_keys(), task_keys(), numerics_keys()}) {
+       {scene_keys(), disk_keys(), material_keys(), wall_keys(), other_body_keys(),
+        elastic_wall_keys(), row_keys(), task_keys(), numerics_keys()}) {
     table.insert(table.end(), part.begin(), part.end());
   }
   return table;
@@ -380,7 +384,7 @@ void check_combination(const Scene& scene) {
     throw bad_value("wall.type", scene.wall.kind == WallKind::kLattice ? "lattice" : "disk",
                     "potential in a contact scene");
   }
-  if (has_second_disk(scene) && scene.wall.mirrored &&
+  if (meets_disks(scene) && scene.wall.mirrored &&
       (scene.wall.radius != 1.0 || !scene.wall.file.empty())) {
     throw bad_value("wall.mirrored", "true", "false with a radius or a file of its own");
   }

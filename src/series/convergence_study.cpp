@@ -24,8 +24,11 @@ Quantity energy(std::string key, double EnergyLedger::*term) {
 std::vector<Quantity> impact_quantities(const Scene& scene) {
   std::vector<Quantity> list;
   list.push_back(number("velocity", [](const auto& e) { return e.scene().impact.velocity; }));
-  const auto has = [&scene](const char* key) {
-    return scene.impact.slides() || !is_of_sliding(key);
+  const auto has = [&scene](const std::string& key) {
+    if (is_of_sliding(key)) return scene.impact.slides();
+    if (is_of_row(key)) return scene.is_row();
+    const std::size_t disk = disk_of(key);
+    return disk == 0 || (scene.hits_disk() && disk <= scene.other_bodies());
   };
   for (const auto& [key, member] : impact_numbers<Restitution>()) {
     if (!has(key)) continue;
@@ -51,7 +54,7 @@ std::vector<Quantity> impact_quantities(const Scene& scene) {
     list.push_back(energy("wall_energy", &EnergyLedger::wall_lattice));
     list.push_back(energy("absorbed", &EnergyLedger::absorbed));
   }
-  if (scene.has_second_body()) list.push_back(energy("hops", &EnergyLedger::hops_size));
+  if (scene.other_bodies() > 0) list.push_back(energy("hops", &EnergyLedger::hops_size));
   return list;
 }
 
@@ -122,7 +125,7 @@ ConvergenceStudy::ConvergenceStudy(const Scene& scene,
       composition_(std::move(composition)),
       make_run_(std::move(make_run)),
       control_(scene, *composition_),
-      strain_meter_(composition_->bodies->disk.points),
+      strain_meter_(composition_->bodies->disk().points),
       history_(history) {
   start_run();
 }

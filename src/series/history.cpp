@@ -29,15 +29,17 @@ void add_forces(const ContactReport& report, Eigen::Index first_row, PointArray&
   }
 }
 
-/// The force of the contact on each point of both bodies.
+/// The force of the contacts on each point of all bodies.
 PointArray contact_forces(const Run& run, const ContactReports& reports) {
   PointArray force = PointArray::Zero(run.state().position.rows(), 2);
-  add_forces(reports.on_first, 0, force);
-  add_forces(reports.on_second, run.lattice().points.rows(), force);
+  for (std::size_t k = 0; k < run.bodies().size(); ++k) {
+    add_forces(reports.on(k), run.system().field().body(k).first, force);
+  }
   return force;
 }
 
-/// A snapshot of a LAMMPS dump (docs.lammps.org/dump.html). Type 1: the disk, 2: an elastic wall.
+/// A snapshot of a LAMMPS dump (docs.lammps.org/dump.html). The type is the number of the
+/// body, 1 for the disk.
 std::string snapshot(const Run& run, const ContactReports& reports) {
   const PointArray& position = run.state().position;
   const PointArray& velocity = run.state().velocity;
@@ -51,10 +53,12 @@ std::string snapshot(const Run& run, const ContactReports& reports) {
   fmt::format_to(out, "ITEM: BOX BOUNDS ss ss pp\n{} {}\n{} {}\n-0.5 0.5\n", low(0), high(0),
                  low(1), high(1));
   fmt::format_to(out, "ITEM: ATOMS id type x y z vx vy vz fx fy fz\n");
-  for (Eigen::Index i = 0; i < position.rows(); ++i) {
-    const int type = i < run.lattice().points.rows() ? 1 : 2;
-    fmt::format_to(out, "{} {} {} {} 0 {} {} 0 {} {} 0\n", i + 1, type, position(i, 0),
-                   position(i, 1), velocity(i, 0), velocity(i, 1), force(i, 0), force(i, 1));
+  for (std::size_t k = 0; k < run.bodies().size(); ++k) {
+    const Body body = run.system().field().body(k);
+    for (Eigen::Index i = body.first; i < body.first + body.points; ++i) {
+      fmt::format_to(out, "{} {} {} {} 0 {} {} 0 {} {} 0\n", i + 1, k + 1, position(i, 0),
+                     position(i, 1), velocity(i, 0), velocity(i, 1), force(i, 0), force(i, 1));
+    }
   }
   return fmt::to_string(text);
 }

@@ -110,7 +110,7 @@ std::map<std::string, std::vector<std::size_t>> lane_groups(const std::vector<Sc
   constexpr std::size_t kFewest = 3;
   std::map<std::string, std::vector<std::size_t>> groups;
   for (std::size_t row = 0; row < scenes.size(); ++row) {
-    if (can_be_in_lanes(scenes[row])) groups[lane_group_key(scenes[row])].push_back(row);
+    if (may_be_in_lanes(scenes[row])) groups[lane_group_key(scenes[row])].push_back(row);
   }
   for (auto group = groups.begin(); group != groups.end();) {
     group = group->second.size() < kFewest ? groups.erase(group) : std::next(group);

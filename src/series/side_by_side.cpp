@@ -91,7 +91,7 @@ class SideBySide {
   SideBySide(const std::vector<Scene>& scenes, std::shared_ptr<const Bodies> bodies,
              const std::function<bool()>& stop, const std::function<void()>& done)
       : scenes_(scenes), stop_(stop), done_(done), bodies_(std::move(bodies)) {
-    lattice_ = bodies_->second ? joined(bodies_->disk, bodies_->second->lattice) : bodies_->disk;
+    lattice_ = bodies_->joined();
     try {
       for (std::size_t i = 0; i < scenes.size(); ++i) {
         const auto begin = Clock::now();
@@ -173,20 +173,25 @@ class SideBySide {
 
   /// False when told to stop.
   bool move() {
-    outcome_.in_lanes = lanes_pay();
-    return outcome_.in_lanes ? run_in_lanes() : run_singly();
+    std::vector<Candidate*> known;
+    std::vector<Candidate*> others;
+    for (Candidate& candidate : candidates_) {
+      (LaneField::knows(candidate.composition->field) ? known : others).push_back(&candidate);
+    }
+    outcome_.in_lanes = lanes_pay(known);
+    return (outcome_.in_lanes ? run_in_lanes(known) : run_singly(known)) && run_singly(others);
   }
 
   /// Whether enough lanes will be taken for long enough that a bundle is faster than single runs.
   /// The results are the same to the last bit, so only the time depends on this.
-  bool lanes_pay() const {
+  bool lanes_pay(const std::vector<Candidate*>& candidates) const {
     double all = 0.0;
     double longest = 0.0;
-    for (const Candidate& candidate : candidates_) {
-      const double steps = expected_steps(*candidate.composition);
-      const double runs = scenes_[candidate.place].numerics.are_given()
+    for (const Candidate* const candidate : candidates) {
+      const double steps = expected_steps(*candidate->composition);
+      const double runs = scenes_[candidate->place].numerics.are_given()
                               ? 1.0
-                              : steps_of_all_runs(candidate.composition->resolution);
+                              : steps_of_all_runs(candidate->composition->resolution);
       all += runs * steps;
       longest = std::max(longest, steps);
     }
@@ -194,8 +199,9 @@ class SideBySide {
            kBundleStep * std::max(longest, all / kLanes) < all;
   }
 
-  bool run_singly() {
-    for (Candidate& candidate : candidates_) {
+  bool run_singly(const std::vector<Candidate*>& candidates) {
+    for (Candidate* const next : candidates) {
+      Candidate& candidate = *next;
       const auto begin = Clock::now();
       try {
         ConvergenceStudy& study = *(candidate.study = std::make_unique<ConvergenceStudy>(
@@ -213,8 +219,8 @@ class SideBySide {
     return true;
   }
 
-  bool run_in_lanes() {
-    for (Candidate& candidate : candidates_) start(candidate);
+  bool run_in_lanes(const std::vector<Candidate*>& candidates) {
+    for (Candidate* const candidate : candidates) start(*candidate);
     while (!waiting_.empty()) {
       const auto most = std::max_element(
           waiting_.begin(), waiting_.end(),
@@ -275,7 +281,7 @@ class SideBySide {
   /// Advances the runs that wait for such a bundle until none is left. False when told to stop.
   bool advance(const BundleKey key) {
     LaneBundle bundle(
-        lattice_, 1.0 / static_cast<double>(bodies_->disk.points.rows()), key.kind,
+        lattice_, 1.0 / static_cast<double>(bodies_->disk().points.rows()), key.kind,
         [&] { return make_fixed<LaneField>(key.integrator); }, key.needs_common_step);
     std::deque<LaneRun*>& queue = waiting_[key];
     since_ = Clock::now();
@@ -383,11 +389,11 @@ class SideBySide {
 
 }  // namespace
 
-bool can_be_in_lanes(const Scene& scene) {
+bool may_be_in_lanes(const Scene& scene) {
   if (scene.is_static()) return true;
-  const bool known = scene.wall.kind == WallKind::kPotential ||
-                     (!scene.is_damped() && !scene.has_own_wall_material());
-  return scene.kind == SceneKind::kCollision && known && scene.gravity == 0.0 &&
+  const bool has_contact = scene.wall.kind == WallKind::kPotential ||
+                           (!scene.is_damped() && !scene.has_own_wall_material());
+  return scene.kind == SceneKind::kCollision && has_contact &&
          traits_of(scene.numerics.integrator).in_lanes;
 }
 

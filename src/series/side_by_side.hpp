@@ -23,16 +23,17 @@ struct SeriesOutcome {
   bool in_lanes = false;
 };
 
-/// Whether runs of the scene can advance in lanes: an impact on the potential wall or, without any
-/// damping, on an elastic one, by a method of fixed step, or a static solution.
-bool can_be_in_lanes(const Scene& scene);
+/// Whether it is worthwhile to ask LaneField::knows() of the scene: an impact on the potential wall
+/// or, without any damping, on points, by a method of fixed step; or a static solution.
+bool may_be_in_lanes(const Scene& scene);
 
 /// The bodies of scenes of the same bodies, with all of the spectrum that one of them needs.
 std::shared_ptr<const Bodies> make_common_bodies(const std::vector<Scene>& scenes);
 
-/// Simulates scenes of these bodies, all or none of them static and all able to be in lanes, side
-/// by side; where one run is done, another takes its lane, and the runs that an answer takes go on
-/// at the same time. Where too few lanes would be taken for too long, one scene after another. Each
+/// Simulates scenes of these bodies, all or none of them static, that may_be_in_lanes(), side by
+/// side; where one run is done, another takes its lane, and the runs that an answer takes go on
+/// at the same time. Where too few lanes would be taken for too long, and of
+/// scenes that lanes do not know, one scene after another. Each
 /// result is that of a ConvergenceStudy by itself, to the last bit, except for wall_time: the time
 /// of a step is shared out among those that make it. `done` is told of every scene that is. @return
 /// nothing when told to stop, which is asked often.

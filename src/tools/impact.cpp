@@ -81,9 +81,8 @@ void perform(ConvergenceStudy& study) {
 
 void tell_if_long(const ConvergenceStudy& study) {
   const Run& run = study.run();
-  const Lattice* const wall = run.second_lattice();
-  const Forecast expected = forecast(study.scene(), run.lattice().points.rows(),
-                                     wall == nullptr ? 0 : wall->points.rows());
+  const Forecast expected =
+      forecast(study.scene(), run.lattice().points.rows(), run.system().field().other_points());
   if (expected.seconds <= kWorthTelling) return;
   fmt::print(stderr, "impact: this scene will take about {}\n", text(expected));
 }
@@ -94,12 +93,17 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   if (!file.flush()) throw std::runtime_error(fmt::format("{} cannot be written", path.string()));
 }
 
+/// Of the body of this number; 0: the disk.
+std::string lattice_file(std::size_t body) {
+  return (body == 0 ? "lattice" : name_of_body(body)) + ".data";
+}
+
 /// Where the results go; removes what is unfinished at its end.
 struct Output {
   explicit Output(const std::string& path)
       : folder(path),
-        files(path,
-              {"result.yaml", "scene.yaml", "history.csv", "lattice.data", "wall.data", kStates}) {}
+        files(path, {"result.yaml", "scene.yaml", "history.csv", lattice_file(0), lattice_file(1),
+                     lattice_file(2), lattice_file(3), kStates}) {}
   static constexpr const char* kStates = "states.lammpstrj";
   OutputFolder folder;
   ResultFiles files;
@@ -111,9 +115,9 @@ void write_result(const ConvergenceStudy& study, const std::string& result, cons
   write_file(files.beside("result.yaml"), result);
   write_file(files.beside("scene.yaml"), to_yaml(study.scene()));
   write_file(files.beside("history.csv"), history.csv());
-  write_lammps_data(study.run().lattice(), mass, files.beside("lattice.data"));
-  if (const Lattice* const wall = study.run().second_lattice()) {
-    write_lammps_data(*wall, mass, files.beside("wall.data"));
+  const std::vector<BodyOfScene>& bodies = study.run().bodies();
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    write_lammps_data(bodies[k].lattice, mass, files.beside(lattice_file(k)));
   }
   files.take_their_places();
 }

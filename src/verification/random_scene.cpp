@@ -92,7 +92,7 @@ double work_of(const Composition& composition) {
   const double omega = std::sqrt(rates.lattice.omega_squared + rates.wall);
   const double implicit = kStiffDamping * omega;
   const double gamma = rates.lattice.gamma;
-  const double rate = omega + (composition.bodies->second ? gamma : std::min(gamma, implicit));
+  const double rate = omega + (!composition.bodies->is_alone() ? gamma : std::min(gamma, implicit));
   return static_cast<double>(composition.initial.position.rows()) * composition.expected_time *
          rate;
 }

@@ -51,8 +51,8 @@ class Departure {
     const double extent =
         (points.rowwise() - centre.transpose()).square().rowwise().sum().maxCoeff();
     extent_ = std::max(extent_, std::sqrt(extent));
-    if (field.second_body) {
-      top_ = std::max(top_, field.second_body->rows_of(position).col(1).maxCoeff());
+    for (const Body& other : field.others) {
+      top_ = std::max(top_, other.rows_of(position).col(1).maxCoeff());
     }
     const double speed = disk.rows_of(motion.state().velocity).col(1).mean();
     if (!(speed > 0.0)) return false;
@@ -89,7 +89,7 @@ double restitution(const Scene& scene, const Composition& composition, double st
                       simulation.time(), evaluations));
     }
   }
-  const Eigen::Index disk = composition.bodies->disk.points.rows();
+  const Eigen::Index disk = composition.bodies->disk().points.rows();
   return simulation.state().velocity.col(1).head(disk).mean() / scene.impact.normal_velocity();
 }
 
@@ -115,7 +115,7 @@ ReferenceAnswer impact_reference(const Scene& scene) {
   const double omega = std::sqrt(rates.lattice.omega_squared);
   const double error = scene.numerics.error;
   const double on_wall = std::sqrt(rates.lattice.omega_squared + rates.wall);
-  if (!composition.bodies->second && rates.lattice.gamma > kStiffDamping * on_wall) {
+  if (composition.bodies->is_alone() && rates.lattice.gamma > kStiffDamping * on_wall) {
     const double step = 0.25 / on_wall;
     return converged("extrapolated_damping", error, [&](int k) {
       return restitution(scene, composition, std::ldexp(step, -k),
@@ -167,7 +167,7 @@ ReferenceAnswer contact_reference(const Scene& scene) {
   damped.material.eta = scene.disk.recipe.points * std::sqrt(scene.material.k_a);
   const Composition composition = compose(damped);
   const BondLaw law{scene.material.k_a, scene.material.k_b, 0.0};
-  const PressedDisk disk{composition.bodies->disk, law, scene.wall.a, load};
+  const PressedDisk disk{composition.bodies->disk(), law, scene.wall.a, load};
   const double tolerance = 1e-6 * load / scene.disk.recipe.points;
   const PreciseStrain strain = precise_strain(disk, rest_by_newton(composition, tolerance));
   if (load <= kSmallLoad * scene.material.k_a) return {strain.value, strain.error, "newton", {}};

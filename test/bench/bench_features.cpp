@@ -95,7 +95,7 @@ struct Energy : Nobody {
 
 struct Folds : Nobody {
   explicit Folds(const Composition& composition)
-      : Nobody(composition), triangles(composition.bodies->disk) {}
+      : Nobody(composition), triangles(composition.bodies->disk()) {}
   void at_end(const Simulation& simulation) {
     benchmark::DoNotOptimize(triangles.turned_over(simulation.state().position));
   }
@@ -124,8 +124,8 @@ const Composition& composed(Start start, int points) {
 
 std::size_t bonds(const Composition& composition) {
   const std::size_t of_wall =
-      composition.bodies->second ? composition.bodies->second->lattice.bonds.size() : 0;
-  return composition.bodies->disk.bonds.size() + of_wall;
+      composition.bodies->is_alone() ? 0 : composition.bodies->all[1].lattice.bonds.size();
+  return composition.bodies->disk().bonds.size() + of_wall;
 }
 
 template <Start kStart, class Onlooker = Nobody>

@@ -89,14 +89,14 @@ void force_evaluation_in_lanes(benchmark::State& state) {
   scene.impact.gap = 0.0;
   if (kDamped) scene.material.eta = 1.0;
   Composition start = compose(scene);
-  LaneField field(start.bodies->disk, start.field.point_mass, LaneField::kind_of(start.field));
+  LaneField field(start.bodies->disk(), start.field.point_mass, LaneField::kind_of(start.field));
   LaneState lanes;
   LaneArray force;
   for (LaneArray* const array : {&lanes.position, &lanes.velocity, &force}) field.resize(*array);
   for (int lane = 0; lane < kLanes; ++lane) {
     field.set_lane(lane, start.field);
     lanes.position.lane(lane) = start.initial.position;
-    lanes.velocity.lane(lane) = start.bodies->disk.points;
+    lanes.velocity.lane(lane) = start.bodies->disk().points;
   }
   for (auto _ : state) {
     field.evaluate(lanes.position, lanes.velocity, force);

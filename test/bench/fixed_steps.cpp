@@ -79,10 +79,10 @@ int main(int argc, char** argv) {
     const impact::Scene scene = impact::scene_of(scene_file, assignments);
     impact::Composition composition = impact::compose(scene);
     if (!lattice_file.empty()) {
-      impact::write_lammps_data(composition.bodies->disk, composition.field.point_mass,
+      impact::write_lammps_data(composition.bodies->disk(), composition.field.point_mass,
                                 lattice_file);
     }
-    const std::size_t bonds = composition.bodies->disk.bonds.size();
+    const std::size_t bonds = composition.bodies->disk().bonds.size();
     impact::Simulation simulation = impact::simulation_of(scene, std::move(composition));
     const double seconds = impact::time_of(simulation, steps);
     if (simulation.halvings() > 0) throw std::runtime_error("the wall was too stiff for the step");

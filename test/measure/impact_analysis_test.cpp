@@ -76,8 +76,8 @@ TEST(ImpactAnalysis, MeasuresAnObliqueImpact) {
 /// and the opposite, spins −0.5 and 0.25. The second one is touched 1 above its middle.
 TEST(ImpactAnalysis, CountsBothOfTwoDisks) {
   ImpactAnalysis analysis;
-  analysis.add(square_with_velocity(1.5, -1.0, 1.0), square_with_velocity(-1.5, 1.0, 0.0));
-  analysis.add(square_with_velocity(0.5, 0.5, -0.5), square_with_velocity(-0.5, -0.5, 0.25));
+  analysis.add(square_with_velocity(1.5, -1.0, 1.0), {square_with_velocity(-1.5, 1.0, 0.0)});
+  analysis.add(square_with_velocity(0.5, 0.5, -0.5), {square_with_velocity(-0.5, -0.5, 0.25)});
   const Restitution result = analysis.restitution(true);
   EXPECT_EQ(result.restitution, 0.5);
   EXPECT_DOUBLE_EQ(result.energy_before, 4.25);
@@ -87,6 +87,33 @@ TEST(ImpactAnalysis, CountsBothOfTwoDisks) {
   EXPECT_DOUBLE_EQ(result.energy_restitution, std::sqrt(1.625 / 8.5));
   // 1.5 + 1 against −1.5, then 0.5 − 0.5 against −0.5 − 0.25.
   EXPECT_DOUBLE_EQ(result.tangential_restitution, -0.75 / 4.0);
+  EXPECT_EQ(result.wall_velocity_after, -0.5);
+  EXPECT_EQ(result.wall_tangential_velocity_after, -0.5);
+  EXPECT_DOUBLE_EQ(result.wall_spin_after, 0.25);
+  EXPECT_TRUE(std::isnan(result.wall2_velocity_after));
+  EXPECT_TRUE(std::isnan(result.momentum_passed_on));
+}
+
+/// A disk meets two of its size, which are at rest against each other, at 3. The last one leaves at
+/// 2.25 of those 3.
+TEST(ImpactAnalysis, SaysWhatTheLastDiskOfARowTookOver) {
+  const State resting = square_with_velocity(0.0, 1.0, 0.0);
+  ImpactAnalysis analysis;
+  analysis.add(square_with_velocity(0.0, -2.0, 0.0), {resting, resting});
+  analysis.add(square_with_velocity(0.0, 0.75, 0.0),
+               {square_with_velocity(0.25, 0.5, 0.5), square_with_velocity(-0.25, -1.25, -0.125)});
+  const Restitution result = analysis.restitution(true);
+  EXPECT_DOUBLE_EQ(result.momentum_passed_on, 0.75);
+  EXPECT_DOUBLE_EQ(result.restitution_of_ends, 2.0 / 3.0);
+  EXPECT_DOUBLE_EQ(result.restitution, 0.375);
+  EXPECT_EQ(result.wall_velocity_after, 0.5);
+  EXPECT_EQ(result.wall2_velocity_after, -1.25);
+  EXPECT_EQ(result.wall2_tangential_velocity_after, -0.25);
+  EXPECT_DOUBLE_EQ(result.wall2_spin_after, -0.125);
+  EXPECT_TRUE(std::isnan(result.wall3_spin_after));
+  // 4 + 1 + 1 before; 0.5625 + 0.25 + 1.5625 along y and 0.125 along x after.
+  EXPECT_DOUBLE_EQ(result.normal_energy, 2.375 / 6.0);
+  EXPECT_DOUBLE_EQ(result.tangential_energy, 0.125 / 6.0);
 }
 
 /// The second one four times as heavy.
@@ -100,7 +127,7 @@ TEST(ImpactAnalysis, WeighsTheSecondDisk) {
     heavy.velocity.row(k) << 0.0, 1.0;
   }
   ImpactAnalysis analysis;
-  analysis.add(light, heavy);
+  analysis.add(light, {heavy});
   EXPECT_DOUBLE_EQ(analysis.restitution(false).energy_before, 0.5 * (16.0 + 4.0));
 }
 

@@ -233,7 +233,7 @@ TEST(BondForces, OfTwoBodiesAreThoseOfEach) {
   const BondLaw hard{1.0, 0.5, 0.0};
   BondForces of_disk(disk, hard);
   BondForces of_other(other, soft);
-  BondForces both = BondForces::of_two_bodies(of_disk, of_other);
+  BondForces both = BondForces::of_two_laws(of_disk, of_other);
   ASSERT_EQ(both.points(), 25);
   EXPECT_TRUE(both.has_two_laws());
   EXPECT_TRUE(both.damped());

@@ -51,7 +51,7 @@ TEST(EnergyLedger, KeepsTheWallApartFromTheDisk) {
   above.col(1) += 2.0;
   const Lattice both = joined(plain_lattice(above, triangle().bonds), triangle());
   ForceField field{BondForces(both, {1.0, 0.0, 0.0}), 1.0 / 3.0};
-  field.second_body = Body{3, 3, false};
+  field.others = {Body{3, 3, false}};
   field.elastic_wall.emplace(Repulsion(10.0, 0.1), 0.2, GapMeasure::kNormal,
                              std::vector<std::int32_t>{0, 1, 2}, std::vector<std::int32_t>{3, 4},
                              both.points);

@@ -24,7 +24,7 @@ TEST(ForceField, NamesTheTermsOfAnElasticWall) {
   ForceField field{BondForces(triangle(), {1.0, 0.0, 0.0}), 1.0};
   EXPECT_EQ(field.contact(), nullptr);
   EXPECT_FALSE(field.damped());
-  field.second_body = Body{1, 2, false};
+  field.others = {Body{1, 2, false}};
   field.elastic_wall.emplace(Repulsion(300.0, 0.1), 0.2, GapMeasure::kNormal,
                              std::vector<std::int32_t>{0}, std::vector<std::int32_t>{1, 2}, points);
   EXPECT_EQ(field.contact(), &*field.elastic_wall);

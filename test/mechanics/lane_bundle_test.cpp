@@ -224,7 +224,7 @@ TEST(LaneBundle, HalvesTheStepOfOneLane) {
 /// Above an elastic wall that rises: it counts how fast the two bodies come together.
 TEST(LaneBundle, HalvesTheStepAboveAnElasticWall) {
   TwoBodies bodies(2.4, {0.3, 0.0}, GapMeasure::kNormal, 4000.0);
-  bodies.state.velocity.bottomRows(bodies.field.second_points()).col(1) += 0.1;
+  bodies.state.velocity.bottomRows(bodies.field.other_points()).col(1) += 0.1;
   Simulation single = bodies.simulation(0.1);
   const Spectrum spectrum =
       lattice_spectrum(bodies.lattice, bodies.field.bonds.law(), TwoBodies::kMass);

@@ -24,7 +24,7 @@ struct TwoBodies {
                      GapMeasure measure = GapMeasure::kNormal, double a = 40.0)
       : lattice(joined(hexagon(), triangular_patch(kColumns, kRows))),
         field{BondForces(lattice, law()), kMass} {
-    field.second_body = Body{kDiskPoints, kColumns * kRows, false};
+    field.others = {Body{kDiskPoints, kColumns * kRows, false}};
     state.position = lattice.points;
     const double top = lattice.points.col(1).maxCoeff();
     const double first = lattice.points(row(0, kRows - 1), 0);

@@ -9,13 +9,13 @@ using lattice_impact::RunStatus;
 using Lines = std::vector<std::string>;
 
 RunStatus status(std::uint32_t run, std::uint8_t phase, std::uint32_t states,
-                 std::vector<std::string> terms = {}) {
+                 std::uint32_t bodies = 1) {
   RunStatus message;
   message.run = run;
   message.runs = 2;
   message.phase = phase;
   message.states = states;
-  message.terms = std::move(terms);
+  message.bodies = bodies;
   return message;
 }
 
@@ -76,7 +76,7 @@ TEST(Inventory, ExpectsTheTopicsOfAnElasticWallWhereThereIsOne) {
   inventory.add("wall/lattice", 0);
   add_states(inventory, 0, 2);
   add_states(inventory, 0, 1, "wall/");
-  inventory.add(status(0, RunStatus::FINISHED, 2, {"elastic wall"}));
+  inventory.add(status(0, RunStatus::FINISHED, 2, 2));
   add_run(inventory, 1);
   EXPECT_EQ(inventory.states(0), 1U);
   EXPECT_EQ(inventory.published("wall/particle_states"), 2U);

@@ -37,6 +37,7 @@ inline lattice_impact::RunStatus status_of(const Scene& scene, std::uint32_t run
   status.states = states;
   status.phase = phase;
   status.scene = to_yaml(scene);
+  status.bodies = static_cast<std::uint32_t>(1 + scene.other_bodies());
   return status;
 }
 

@@ -60,7 +60,7 @@ RunStatus finished_status() {
 
 Snapshot snapshot(const Strains& strains, const std::vector<double>& fy = {},
                   const RunStatus& status = {}, std::uint32_t run = 0) {
-  return {triangle(strains, run), forces(fy), std::nullopt, boost::make_shared<RunStatus>(status)};
+  return {triangle(strains, run), forces(fy), {}, boost::make_shared<RunStatus>(status)};
 }
 
 std::vector<Marker> named(const visualization_msgs::MarkerArray& array, const std::string& name) {
@@ -180,11 +180,25 @@ TEST(ViewerMarkers, DrawAnElasticWallInItsOwnColours) {
   ASSERT_EQ(line.size(), 2U);
   EXPECT_EQ(line[0].type, Marker::LINE_LIST);
   EXPECT_EQ(line[1].action, Marker::DELETE);  // the bonds of a run before
-  state.wall = triangle({0.05, -0.05, 0.0});
+  state.others = {triangle({0.05, -0.05, 0.0})};
   const auto wall = named(ViewerMarkers().draw(state), "wall");
   ASSERT_EQ(wall.size(), 2U);
-  expect_points(wall[0], *state.wall->states);
+  expect_points(wall[0], *state.others[0].states);
   expect_bond_colours(wall[1], wall_strain_colour, {1.0, -1.0, 0.0});
+}
+
+TEST(ViewerMarkers, DrawEachDiskOfARowAndForgetItAfterwards) {
+  ViewerMarkers markers;
+  Snapshot state = snapshot({});
+  state.others = {triangle({}), triangle({0.1, 0.1, 0.1}), triangle({})};
+  const auto row = named(markers.draw(state), "wall");
+  ASSERT_EQ(row.size(), 6U);
+  for (int k = 0; k < 6; ++k) EXPECT_EQ(row[static_cast<std::size_t>(k)].id, k);
+  expect_points(row[2], *state.others[1].states);
+  state.others.resize(1);
+  const auto pair = named(markers.draw(state), "wall");
+  ASSERT_EQ(pair.size(), 6U);
+  for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(pair[k].action == Marker::DELETE, k >= 2) << k;
 }
 
 TEST(ViewerMarkers, FollowTheCentreOfMass) {
@@ -235,7 +249,7 @@ TEST(ViewerMarkers, SuitRvizAndItsFile) {
   for (const auto& name : display["Namespaces"]) names_of_file.insert(name.first.as<std::string>());
 
   Snapshot with_wall = snapshot({0.0, 0.05, 0.05}, {0.1}, finished_status());
-  with_wall.wall = triangle({});
+  with_wall.others = {triangle({})};
   for (const Snapshot& state : {snapshot({}), with_wall}) {
     std::set<std::string> names;
     std::set<std::pair<std::string, int>> ids;

@@ -35,10 +35,10 @@ lattice_impact::ContactForcesPtr forces(std::uint32_t run, std::uint32_t sequenc
   return message;
 }
 
-lattice_impact::RunStatusConstPtr status(std::uint32_t run, std::vector<std::string> terms = {}) {
+lattice_impact::RunStatusConstPtr status(std::uint32_t run, std::uint32_t bodies = 1) {
   auto message = boost::make_shared<lattice_impact::RunStatus>();
   message->run = run;
-  message->terms = std::move(terms);
+  message->bodies = bodies;
   return message;
 }
 
@@ -50,7 +50,7 @@ SnapshotAssembly begun(std::uint32_t run) {
 }
 
 void add_state(SnapshotAssembly& assembly, std::uint32_t run, std::uint32_t sequence) {
-  assembly.add(states(run, sequence));
+  assembly.add(0, states(run, sequence));
   assembly.add(forces(run, sequence));
 }
 
@@ -58,7 +58,7 @@ TEST(SnapshotAssembly, GivesTheNewestStateOnce) {
   SnapshotAssembly assembly = begun(0);
   add_state(assembly, 0, 0);
   add_state(assembly, 0, 1);
-  assembly.add(states(0, 2));
+  assembly.add(0, states(0, 2));
   auto newest = assembly.take();
   ASSERT_TRUE(newest);
   EXPECT_EQ(newest->disk.states->sequence, 1U);
@@ -88,14 +88,14 @@ TEST(SnapshotAssembly, GivesNothingThatDoesNotFit) {
   EXPECT_FALSE(assembly.take());
   const auto short_of_a_point = states(0, 0);
   short_of_a_point->vy.pop_back();
-  assembly.add(short_of_a_point);
+  assembly.add(0, short_of_a_point);
   assembly.add(forces(0, 0));
   EXPECT_FALSE(assembly.take());
   const auto beyond = forces(0, 1);
   beyond->point = {kPoints};
   beyond->fx = beyond->fy = {0.0};
   assembly.add(beyond);
-  assembly.add(states(0, 1));
+  assembly.add(0, states(0, 1));
   EXPECT_FALSE(assembly.take());
   const auto bad = boost::make_shared<lattice_impact::Lattice>(*lattice(0));
   bad->bond_second = {kPoints};
@@ -104,17 +104,21 @@ TEST(SnapshotAssembly, GivesNothingThatDoesNotFit) {
   EXPECT_FALSE(assembly.take());
 }
 
-TEST(SnapshotAssembly, WaitsForAnElasticWallWhereThereIsOne) {
+TEST(SnapshotAssembly, WaitsForAllBodies) {
   SnapshotAssembly assembly = begun(0);
-  assembly.add(status(0, {"bonds", "elastic wall"}));
+  assembly.add(status(0, 3));
   assembly.add(lattice(0, "wall"));
+  assembly.add(lattice(0, "wall2"));
   add_state(assembly, 0, 0);
   EXPECT_FALSE(assembly.take());
-  assembly.add_of_wall(states(0, 0));
+  assembly.add(2, states(0, 0));
+  EXPECT_FALSE(assembly.take());
+  assembly.add(1, states(0, 0));
   const auto newest = assembly.take();
   ASSERT_TRUE(newest);
-  ASSERT_TRUE(newest->wall);
-  EXPECT_EQ(newest->wall->lattice->name, "wall");
+  ASSERT_EQ(newest->others.size(), 2U);
+  EXPECT_EQ(newest->others[0].lattice->name, "wall");
+  EXPECT_EQ(newest->others[1].lattice->name, "wall2");
 }
 
 TEST(SnapshotAssembly, TakesASimulationThatBeginsAnew) {
@@ -132,8 +136,8 @@ TEST(SnapshotAssembly, TakesASimulationThatBeginsAnew) {
 TEST(SnapshotAssembly, KeepsNoMoreThanItNeeds) {
   SnapshotAssembly assembly = begun(0);
   const auto first = states(0, 0);
-  assembly.add(first);
-  for (std::uint32_t k = 1; k < 100; ++k) assembly.add(states(0, k));
+  assembly.add(0, first);
+  for (std::uint32_t k = 1; k < 100; ++k) assembly.add(0, states(0, k));
   EXPECT_EQ(first.use_count(), 1);
   assembly.add(forces(0, 99));
   EXPECT_TRUE(assembly.take());

@@ -15,8 +15,8 @@ import rostest
 from lattice_impact.msg import ParticleStates, RunStatus
 
 from programs import (ENDLESS_COLLISION, IMPACT_RESULTS, PACKAGE, SMALL_ABSORBING_WALL,
-                      SMALL_COLLISION, SMALL_CONTACT, BagAnalysis, Inbox, bag_messages, impact,
-                      launch, limited_to, random_namespace, recorder, run_tool,
+                      SMALL_COLLISION, SMALL_CONTACT, SMALL_ROW, BagAnalysis, Inbox, bag_messages,
+                      impact, launch, limited_to, random_namespace, recorder, run_tool,
                       simulation)
 
 
@@ -96,6 +96,35 @@ class BagTest(unittest.TestCase):
         result = impact('absorbing_wall', SMALL_ABSORBING_WALL)
         run, = BagAnalysis(self.bag).runs
         self.assertEqual(run['restitution'], result['restitution'])
+
+    def test_row_of_disks(self):
+        """Every body has topics of its own, and what one feels others feel the other way."""
+        with simulation(self.namespace, 'row_of_disks', SMALL_ROW, bag=self.bag) as node:
+            self.assertEqual(node.wait(), 0, node.stderr())
+        analysis = BagAnalysis(self.bag)
+        self.assertEqual(analysis.exit_code, 0, analysis.problems)
+        prefixes = [self.namespace + body for body in ('/', '/wall/', '/wall2/', '/wall3/')]
+        self.assertEqual(set(analysis.topics),
+                         {self.namespace + '/' + name for name in ('run_status', 'scalars')} |
+                         {prefix + name for prefix in prefixes
+                          for name in ('lattice', 'particle_states', 'contact_forces')})
+        names = [bag_messages(self.bag, prefix + 'lattice')[0].name for prefix in prefixes]
+        self.assertEqual(names, ['disk', 'wall', 'wall2', 'wall3'])
+        pushed = [0, 0, 0, 0]
+        for forces in zip(*(bag_messages(self.bag, prefix + 'contact_forces')
+                            for prefix in prefixes)):
+            self.assertEqual(len({on_body.sequence for on_body in forces}), 1)
+            self.assertAlmostEqual(sum(on_body.total_y for on_body in forces), 0.0, delta=1e-12)
+            pushed = [sum_ + len(on_body.point) for sum_, on_body in zip(pushed, forces)]
+        self.assertGreater(min(pushed), 0)
+        run, = analysis.runs
+        self.assertTrue(run['complete'])
+        expected = impact('row_of_disks', SMALL_ROW)
+        of_row = ('momentum_passed_on', 'restitution_of_ends', 'wall_velocity_after',
+                  'wall2_tangential_velocity_after', 'wall3_spin_after')
+        for key in IMPACT_RESULTS + of_row:
+            self.assertEqual(run[key], expected[key], key)
+            self.assertEqual(run[key + '_error'], expected[key + '_error'], key)
 
     def interrupt_node(self, signal_number):
         with simulation(self.namespace, 'collision', ENDLESS_COLLISION, bag=self.bag,

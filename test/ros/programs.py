@@ -27,6 +27,7 @@ NODE_TIMEOUT = 0.5 * TIMEOUT  # s, so that a node tells what it misses before th
 SMALL_COLLISION = {'disk.points': 300, 'impact.velocity': 0.02}
 SMALL_CONTACT = {'disk.points': 120, 'material.eta': 20}
 SMALL_ABSORBING_WALL = {'disk.points': 120, 'wall.points': 140, 'impact.velocity': 0.05}
+SMALL_ROW = {'disk.points': 60, 'impact.velocity': 0.05, 'wall.a': 1000.0}
 ENDLESS_COLLISION = {'disk.points': 300, 'impact.velocity': 0.001}
 
 IMPACT_RESULTS = ('restitution', 'contact_begin', 'contact_end', 'contact_duration', 'peak_force',

@@ -59,14 +59,15 @@ class TopicsTest(unittest.TestCase):
     def test_viewer(self):
         with MasterWitness() as master:
             with viewer(self.namespace, master.environment) as node:
-                master.wait_for_subscriber(self.namespace + '/wall/particle_states', TIMEOUT)
+                master.wait_for_subscriber(self.namespace + '/wall3/particle_states', TIMEOUT)
                 node.send(signal.SIGINT)
                 self.assertEqual(node.wait(), 0, node.stderr())
             self.assertEqual(master.published(), OF_EVERY_NODE | {'/tf_static', '/diagnostics'} |
                              self.absolute(['markers', 'contact_wrench']))
             self.assertEqual(master.subscribed(), self.absolute(
-                ['lattice', 'particle_states', 'contact_forces', 'run_status', 'wall/lattice',
-                 'wall/particle_states']))
+                ['contact_forces', 'run_status',
+                 *(body + topic for body in ('', 'wall/', 'wall2/', 'wall3/')
+                   for topic in ('lattice', 'particle_states'))]))
 
     def test_analysis(self):
         with MasterWitness() as master:

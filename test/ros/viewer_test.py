@@ -71,7 +71,7 @@ class ViewerTest(unittest.TestCase):
     def wait_for_viewer(self):
         """Until it would hear a simulation."""
         master = rosgraph.Master('/test')
-        poll_until(lambda: self.namespace + '/wall/particle_states' in
+        poll_until(lambda: self.namespace + '/wall3/particle_states' in
                    dict(master.getSystemState()[1]), 'viewer')
 
     def test_replay_is_drawn(self):
@@ -88,7 +88,7 @@ class ViewerTest(unittest.TestCase):
                 last = arrays.wait(lambda array: 'e = ' in text(array) and time in text(array) and
                                    points(array, 'points') == list(zip(state.x, state.y)),
                                    'of the end')
-                told = diagnostics.wait(lambda array: values(array)['progress'] == '1', 'of the end')
+                told = diagnostics.wait(lambda array: values(array).get('progress') == '1', 'of the end')
         self.assertEqual(told.status[0].message, 'run 1 of 1')
         self.assertEqual(values(told)['states published'], str(state.sequence + 1))
         wall = self.recorded('wall/particle_states')[-1]

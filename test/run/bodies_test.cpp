@@ -45,6 +45,11 @@ TEST(KeyOfBodies, DependsOnWhatTheBodiesDependOn) {
   scene.material.eta = 3.0;
   scene.wall.a = 500.0;
   EXPECT_EQ(key_of_bodies(scene), key_of_bodies(plain));
+  scene.wall.kind = WallKind::kDisk;
+  for (int disks = 1; disks <= 3; ++disks) {
+    scene.wall.disks = disks;
+    EXPECT_TRUE(keys.insert(key_of_bodies(scene)).second) << disks;
+  }
 }
 
 /// A file may have a radius from 0.8 to 1.2.
@@ -70,7 +75,7 @@ TEST(SpectrumOf, ScalesWithTheLawAndTheMass) {
   scene.material.eta = 1.0;
   const auto damped = make_bodies(scene);
   scene.material = {3.0, 0.0, 10.0};
-  const Spectrum direct = lattice_spectrum(damped->disk, {3.0, 0.0, 10.0 * 0.02}, 0.02);
+  const Spectrum direct = lattice_spectrum(damped->disk(), {3.0, 0.0, 10.0 * 0.02}, 0.02);
   for (const auto& bodies : {undamped, damped}) {
     const Spectrum scaled = spectrum_of(scene, *bodies, 0.02);
     // Products in another order.

@@ -38,8 +38,8 @@ TEST(Compose, BuildsOnlyTheTermsOfACollision) {
     scene.material.eta = eta;
     const Composition composition = compose(scene);
     EXPECT_EQ(composition.field.terms(), (Names{bonds, "potential wall"}));
-    EXPECT_FALSE(composition.bodies->second.has_value());
-    EXPECT_EQ(composition.field.second_points(), 0);
+    EXPECT_TRUE(composition.bodies->is_alone());
+    EXPECT_EQ(composition.field.other_points(), 0);
     EXPECT_EQ(composition.initial.position.rows(), 1099);
   }
 }
@@ -56,9 +56,9 @@ TEST(Compose, BuildsOnlyTheTermsOfAContact) {
 /// Over the lowest point to rounding, in a lattice of the same bonds with the same lengths.
 TEST(Compose, BalancesTheDisk) {
   Scene scene;
-  const Lattice random = make_bodies(scene)->disk;
+  const Lattice random = make_bodies(scene)->disk();
   scene.disk.orientation = Orientation::kBalanced;
-  const Lattice balanced = make_bodies(scene)->disk;
+  const Lattice balanced = make_bodies(scene)->disk();
   Eigen::Index lowest = 0;
   balanced.points.col(1).minCoeff(&lowest);
   EXPECT_NEAR(balanced.points(lowest, 0), balanced.points.col(0).mean(), 1e-14);
@@ -105,26 +105,26 @@ TEST(Compose, BuildsOnlyBondsAndGripsForAStretch) {
   const Composition composition = compose(scene);
   EXPECT_EQ(composition.field.terms(), (Names{"bonds (cubic)", "supports"}));
   EXPECT_EQ(composition.field.contact(), nullptr);
-  EXPECT_FALSE(composition.bodies->second.has_value());
+  EXPECT_TRUE(composition.bodies->is_alone());
   // 4 R × 2 R at the density of 1099 points in a disk.
-  EXPECT_EQ(composition.bodies->disk.points.rows(), 2799);
+  EXPECT_EQ(composition.bodies->disk().points.rows(), 2799);
   const Supports& grips = *composition.field.supports;
   EXPECT_TRUE(grips.held(1).empty());
   for (const std::int32_t point : grips.held(0)) {
     EXPECT_NEAR(std::abs(composition.initial.position(point, 0)), 2.0 * 1.001, 1e-12);
   }
-  EXPECT_EQ((composition.bodies->disk.points.col(0).abs() == 2.0).count(), grips.held(0).size());
+  EXPECT_EQ((composition.bodies->disk().points.col(0).abs() == 2.0).count(), grips.held(0).size());
 }
 
 /// The disk's points come first, then the wall's, which rests with its surface at y = 0.
 TEST(Compose, PutsTheDiskAboveTheElasticWall) {
   const Scene scene = elastic_wall_scene(Boundary::kReset);
   const Composition composition = compose(scene);
-  ASSERT_TRUE(composition.bodies->second.has_value());
-  EXPECT_EQ(composition.field.second_points(), 1269);
+  ASSERT_EQ(composition.bodies->all.size(), 2U);
+  EXPECT_EQ(composition.field.other_points(), 1269);
   ASSERT_EQ(composition.initial.position.rows(), 1099 + 1269);
   const PointArray& position = composition.initial.position;
-  EXPECT_TRUE((position.bottomRows(1269) == composition.bodies->second->lattice.points).all());
+  EXPECT_TRUE((position.bottomRows(1269) == composition.bodies->all[1].lattice.points).all());
   EXPECT_EQ(position.col(1).tail(1269).maxCoeff(), 0.0);
   EXPECT_TRUE((composition.initial.velocity.bottomRows(1269) == 0.0).all());
   EXPECT_TRUE((composition.initial.velocity.col(1).head(1099) == -0.01).all());
@@ -144,13 +144,13 @@ TEST(Compose, PutsTheDiskAboveTheElasticWall) {
 /// The same disk as without an elastic wall.
 TEST(Compose, DoesNotChangeTheDiskForAnElasticWall) {
   const Composition composition = compose(elastic_wall_scene(Boundary::kFixed));
-  EXPECT_TRUE((composition.bodies->disk.points == compose(Scene{}).bodies->disk.points).all());
+  EXPECT_TRUE((composition.bodies->disk().points == compose(Scene{}).bodies->disk().points).all());
 }
 
 /// On the left, right and bottom side both coordinates, on the top none but the corners'.
 TEST(Compose, ClampsThreeSidesOfAFixedWall) {
   const Composition composition = compose(elastic_wall_scene(Boundary::kFixed));
-  const PointArray& wall = composition.bodies->second->lattice.points;
+  const PointArray& wall = composition.bodies->all[1].lattice.points;
   const double side = wall.col(0).maxCoeff();
   const double bottom = wall.col(1).minCoeff();
   const Supports& clamps = *composition.field.supports;
@@ -220,7 +220,7 @@ TEST(Compose, IsTheSameEveryTime) {
   const Composition first = compose(Scene{});
   const Composition second = compose(Scene{});
   EXPECT_TRUE((first.initial.position == second.initial.position).all());
-  EXPECT_EQ(first.bodies->disk.bonds, second.bodies->disk.bonds);
+  EXPECT_EQ(first.bodies->disk().bonds, second.bodies->disk().bonds);
   EXPECT_EQ(first.rates.lattice.omega_squared, second.rates.lattice.omega_squared);
   EXPECT_EQ(first.resolution.step, second.resolution.step);
 }
@@ -228,7 +228,7 @@ TEST(Compose, IsTheSameEveryTime) {
 TEST(Compose, TakesALatticeFromAFile) {
   const std::filesystem::path path = testing::TempDir() + "compose_test.data";
   const Composition original = compose(Scene{});
-  write_lammps_data(original.bodies->disk, 1.0 / 1099, path);
+  write_lammps_data(original.bodies->disk(), 1.0 / 1099, path);
   Scene scene;
   scene.disk.file = path.string();
   scene.disk.recipe.points = 5;  // replaced by the file
@@ -247,7 +247,7 @@ TEST(Compose, ScalesAFileToRadiusOneOnRequest) {
   scene.disk.file = path.string();
   EXPECT_INPUT_ERROR(compose(scene), "the radius is 3.5");
   scene.disk.scale = FileScale::kRadius;
-  const PointArray points = compose(scene).bodies->disk.points;
+  const PointArray points = compose(scene).bodies->disk().points;
   const auto from_middle = points.rowwise() - points.colwise().mean();
   EXPECT_NEAR(from_middle.square().rowwise().sum().maxCoeff(), 1.0, 1e-14);
 }

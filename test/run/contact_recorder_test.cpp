@@ -81,17 +81,17 @@ TEST(ContactRecorder, ReportsTheReactionsOfAnElasticWall) {
     simulation.step();
     recorder.add_step(simulation);
     const ContactReports reports = recorder.take(simulation);
-    EXPECT_TRUE((reports.on_first.total == -reports.on_second.total).all());
-    EXPECT_EQ(reports.on_second.step, simulation.state().step);
+    EXPECT_TRUE((reports.on_first.total == -reports.on(1).total).all());
+    EXPECT_EQ(reports.on(1).step, simulation.state().step);
     Eigen::Array2d on_wall = Eigen::Array2d::Zero();
-    for (const PointForce& point : reports.on_second.points) {
+    for (const PointForce& point : reports.on(1).points) {
       EXPECT_GE(point.point, 0);
       EXPECT_LT(point.point, 60);
       on_wall += point.force;
     }
     // Rounding of forces of up to 1.
-    EXPECT_LT((on_wall - reports.on_second.total).abs().maxCoeff(), 1e-13);
-    listed = std::max(listed, reports.on_second.points.size());
+    EXPECT_LT((on_wall - reports.on(1).total).abs().maxCoeff(), 1e-13);
+    listed = std::max(listed, reports.on(1).points.size());
   }
   EXPECT_GT(listed, 2U);
 }

@@ -9,8 +9,8 @@
 #include "lattice/lammps_data.hpp"
 #include "mechanics/body_motion.hpp"
 #include "mechanics/simulation.hpp"
+#include "run/row_of_disks.hpp"
 #include "run/run.hpp"
-#include "run/second_disk.hpp"
 
 namespace impact {
 namespace {
@@ -53,10 +53,10 @@ TEST(DiskOnDisk, StartsFromTheCentreOfMassOfBoth) {
   scene.wall.radius = 2.0;
   scene.impact.angle = 30.0;
   const impact::Run run(scene);
-  EXPECT_EQ(run.second_lattice()->points.rows(), 800);
+  EXPECT_EQ(run.bodies()[1].lattice.points.rows(), 800);
   EXPECT_LT(run.state().velocity.colwise().sum().abs().maxCoeff(), 1e-12);  // of 1000 points
   const Eigen::Array2d approach =
-      motion_of(run.disk_state()).velocity - motion_of(run.second_state()).velocity;
+      motion_of(run.disk_state()).velocity - motion_of(run.state_of(1)).velocity;
   EXPECT_NEAR(approach.x(), 0.05, 1e-15);
   EXPECT_NEAR(approach.y(), -0.1 * std::cos(M_PI / 6.0), 1e-15);
   EXPECT_NEAR(motion_of(run.disk_state()).velocity.x(), 0.8 * 0.05, 1e-15);
@@ -112,7 +112,7 @@ TEST(DiskOnDisk, MirrorImagesStayMirrorImages) {
   scene.wall.mirrored = true;
   impact::Run run(scene);
   finish(run);
-  PointArray image = run.second_state().velocity;
+  PointArray image = run.state_of(1).velocity;
   image.col(1) *= -1.0;
   // Rounding that some hundred steps on stiff contacts amplify.
   EXPECT_LT((image - run.disk_state().velocity).abs().maxCoeff(), 1e-11);
@@ -145,7 +145,7 @@ class ExchangedDisks : public testing::Test {
     Scene recipe;
     recipe.seed = seed;
     recipe.disk.recipe.points = points;
-    Lattice lattice = make_bodies(recipe)->disk;
+    Lattice lattice = make_bodies(recipe)->disk();
     lattice = make_lattice(radius * lattice.points, lattice.bonds);
     write_lammps_data(lattice, 1.0, file(name));
     write_lammps_data(make_lattice(-lattice.points, lattice.bonds), 1.0, file(name + "_turned"));
@@ -177,9 +177,9 @@ TEST(DiskOnDisk, TouchesAtTheTopAlsoObliquely) {
   scene.impact.gap = 0.1;
   impact::Run run(scene);
   const double off =
-      run.lattice().points.col(0).mean() - run.second_lattice()->points.col(0).mean();
+      run.lattice().points.col(0).mean() - run.bodies()[1].lattice.points.col(0).mean();
   const auto offset = [&] {
-    return motion_of(run.disk_state()).centre.x() - motion_of(run.second_state()).centre.x() - off;
+    return motion_of(run.disk_state()).centre.x() - motion_of(run.state_of(1)).centre.x() - off;
   };
   // One point of a pair of reduced mass ½ holds the energy of the motion along y at this gap, and
   // until there nothing slows the disks down by much.
@@ -228,14 +228,14 @@ TEST(SecondDisk, IsBalancedOnceTheFirstOneIs) {
   scene.disk.orientation = Orientation::kBalanced;
   const auto bodies = make_bodies(scene);
   Eigen::Index highest = 0;
-  bodies->second->lattice.points.col(1).maxCoeff(&highest);
-  EXPECT_NEAR(bodies->second->lattice.points(highest, 0), 0.0, 1e-12);
-  EXPECT_NEAR(bodies->second->lattice.points.col(0).mean(), 0.0, 1e-12);
+  bodies->all[1].lattice.points.col(1).maxCoeff(&highest);
+  EXPECT_NEAR(bodies->all[1].lattice.points(highest, 0), 0.0, 1e-12);
+  EXPECT_NEAR(bodies->all[1].lattice.points.col(0).mean(), 0.0, 1e-12);
 }
 
 TEST(SecondDisk, HasAClosedOutline) {
   Scene scene = pair_of_disks(0.05);
-  const Lattice lattice = make_bodies(scene)->disk;
+  const Lattice lattice = make_bodies(scene)->disk();
   const auto outline = closed_outline(lattice.points, 7);
   EXPECT_EQ(outline.front(), outline.back());
   double area = 0.0;

@@ -43,7 +43,7 @@ TEST(ElasticWallBody, HasTheDensityOfTheDiskUnlessToldOtherwise) {
 }
 
 TEST(ElasticWallBody, LiesBelowTheOrigin) {
-  const SecondBody wall = elastic_wall_body(wall_scene(), 1099);
+  const PlacedBody wall = elastic_wall_body(wall_scene(), 1099);
   for (const std::int32_t point : wall.sides.top) EXPECT_EQ(wall.lattice.points(point, 1), 0.0);
   EXPECT_NEAR(wall.lattice.points.col(0).maxCoeff() + wall.lattice.points.col(0).minCoeff(), 0.0,
               1e-15);
@@ -61,14 +61,14 @@ TEST(ElasticWallBody, DependsOnTheSeedAlone) {
 
 TEST(ElasticWallBody, ComesFromAFile) {
   const std::string path = testing::TempDir() + "elastic_wall_body_test.data";
-  const SecondBody wall = elastic_wall_body(wall_scene(), 1099);
+  const PlacedBody wall = elastic_wall_body(wall_scene(), 1099);
   Lattice elsewhere = wall.lattice;
   elsewhere.points.col(0) += 5.0;
   elsewhere.points.col(1) -= 3.0;
   write_lammps_data(elsewhere, 1.0 / 1099, path);
   Scene scene = wall_scene();
   scene.wall.file = path;
-  const SecondBody again = elastic_wall_body(scene, 1099);
+  const PlacedBody again = elastic_wall_body(scene, 1099);
   // Rounding of the shifts.
   EXPECT_LT((again.lattice.points - wall.lattice.points).abs().maxCoeff(), 1e-14);
   EXPECT_EQ(again.sides.top, wall.sides.top);
@@ -91,7 +91,7 @@ TEST(ElasticWallBody, SaysWhatCannotBeUsed) {
 
 /// The dashpots of the three sides add up to ρ c times their lengths.
 TEST(ViscousBoundary, CoversTheSides) {
-  const SecondBody wall = elastic_wall_body(wall_scene(), 1099);
+  const PlacedBody wall = elastic_wall_body(wall_scene(), 1099);
   const double mass = 1.0 / 1099;
   ViscousBoundary boundary = viscous_boundary(wall, mass, 2.0, 0);
   const double w = width(wall.lattice);
@@ -115,7 +115,7 @@ struct Reflection {
 /// A pulse that runs down a wall of unit k_a. Its left and right sides slide: they hold what a
 /// plane wave with displacements along `axis` (0: x, 1: y) does not move there, and let it pass.
 struct Pulse {
-  const SecondBody& wall;
+  const PlacedBody& wall;
   double point_mass;
   int axis;
   double modulus;  ///< ρ c² of the wave
@@ -153,7 +153,7 @@ struct Pulse {
     const auto& bottom = wall.sides.bottom;
     if (boundary == Boundary::kReset) channel.velocity_reset.emplace(bottom, interval);
     if (boundary == Boundary::kViscous) {
-      const SecondBody only_bottom{wall.lattice, {{}, {}, bottom, wall.sides.top}};
+      const PlacedBody only_bottom{wall.lattice, {{}, {}, bottom, wall.sides.top}};
       channel.viscous_boundary = viscous_boundary(only_bottom, point_mass, 1.0, 0);
     }
     if (boundary == Boundary::kFixed) {
@@ -191,7 +191,7 @@ struct Pulse {
 
 /// The triangular lattice with bonds of length 1, its rows along x, from y = 0 down; its sides are
 /// the ends of the rows.
-SecondBody triangular_wall(int columns, int rows) {
+PlacedBody triangular_wall(int columns, int rows) {
   PointArray points(columns * rows, 2);
   std::vector<Bond> bonds;
   RectangleSides sides;
@@ -224,7 +224,7 @@ class PlaneWave : public testing::TestWithParam<int> {};
 /// four bonds is the mismatch of the boundary points' own mass, of order (bond/width/4)² = 0.4 %,
 /// and what the ends of the rows scatter, which have half their bonds and all their mass.
 TEST_P(PlaneWave, IsTakenUpByTheViscousBoundaryAndReturnedByTheFixed) {
-  const SecondBody wall = triangular_wall(40, 60);
+  const PlacedBody wall = triangular_wall(40, 60);
   const Pulse pulse{wall, 1.0, GetParam(), kOfTriangularLattice[GetParam()], 4.0};
   constexpr double kStep = 0.1;  // the pulse takes about 4 to pass
   const double left = pulse.from(Boundary::kViscous, kStep).left;
@@ -250,7 +250,7 @@ TEST_P(PlaneWave, OnRandomLatticesIsTakenUpTheBetterTheRarerTheResets) {
     scene.wall.width = 2.0;
     scene.wall.height = 3.0;
     scene.wall.points = 2099;  // the disk's density
-    const SecondBody wall = elastic_wall_body(scene, 1099);
+    const PlacedBody wall = elastic_wall_body(scene, 1099);
     const Pulse pulse{wall, 1.0 / 1099, GetParam(), kOfRandomLattice[GetParam()], 6.0 * spacing};
     viscous += pulse.from(Boundary::kViscous, kStep).left / kLattices;
     reset[0] += pulse.from(Boundary::kReset, 0.001, 0.001).left / kLattices;

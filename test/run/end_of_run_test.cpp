@@ -65,7 +65,10 @@ class EndlessCollision {
   double time() const { return simulation_.time(); }
   /// Of the centre of mass of the disk along y.
   double velocity() const {
-    return simulation_.state().velocity.col(1).head(composition_.bodies->disk.points.rows()).mean();
+    return simulation_.state()
+        .velocity.col(1)
+        .head(composition_.bodies->disk().points.rows())
+        .mean();
   }
   const Simulation& simulation() const { return simulation_; }
 

@@ -8,8 +8,17 @@ namespace {
 /// The way down and up again takes twice the gap over the speed.
 TEST(ExpectedTime, CountsTheWayThereAndBack) {
   const Scene scene;
-  EXPECT_NEAR(expected_time(scene, 100, 0.75) - expected_time(scene, 100, 0.25), 2.0 * 0.5 / 0.01,
-              1e-9);
+  EXPECT_NEAR(expected_time(scene, 100, 0.75, 0.0) - expected_time(scene, 100, 0.25, 0.0),
+              2.0 * 0.5 / 0.01, 1e-9);
+}
+
+/// Through a row the impact goes once, over each gap and by a contact a disk.
+TEST(ExpectedTime, GoesThroughTheRow) {
+  Scene scene;
+  scene.wall.kind = WallKind::kDisk;
+  const double contact = expected_time(scene, 100, 0.0, 0.1);
+  scene.wall.disks = 3;
+  EXPECT_NEAR(expected_time(scene, 100, 0.0, 0.1), 3.0 * contact + 2.0 * 0.1 / 0.01, 1e-9);
 }
 
 /// a R m c², half of it where both ends of the contact move.

@@ -92,8 +92,8 @@ TEST(StaysAbove, NothingIsFeltAboveTheThreshold) {
 struct Flying {
   explicit Flying(const Scene& scene, double mass = 1.0)
       : bodies(make_bodies(scene)),
-        body(bodies->disk, bodies->triangles, bodies->flexibility, scene.material,
-             std::sqrt(M_PI / static_cast<double>(bodies->disk.points.rows())), mass) {}
+        body(bodies->disk(), bodies->all[0].triangles, bodies->all[0].flexibility, scene.material,
+             std::sqrt(M_PI / static_cast<double>(bodies->disk().points.rows())), mass) {}
   InnerBounds bounds(const InnerMotion& motion) const { return body.bounds(motion); }
 
   std::shared_ptr<const Bodies> bodies;
@@ -110,7 +110,7 @@ Scene small_scene() {
 
 /// Of the small disk about its centre of mass.
 double inertia() {
-  const PointArray points = make_bodies(small_scene())->disk.points;
+  const PointArray points = make_bodies(small_scene())->disk().points;
   return (points.rowwise() - points.colwise().mean()).square().sum() / 60.0;
 }
 

@@ -65,8 +65,8 @@ TEST(ObliqueImpact, OfTheMirrorImageIsTheMirrorImage) {
   const Restitution original = result_of(impact::Run(scene));
   const auto disk = make_bodies(scene);
   Bodies bodies = *disk;
-  bodies.disk.points.col(0) *= -1.0;
-  bodies.triangles = Triangles(bodies.disk);
+  bodies.all[0].lattice.points.col(0) *= -1.0;
+  bodies.all[0].triangles = Triangles(bodies.disk());
   const auto mirrored = std::make_shared<const Composition>(
       compose(mirror_scene, std::make_shared<const Bodies>(std::move(bodies))));
   const Restitution image = result_of(impact::Run(mirror_scene, mirrored));
@@ -93,7 +93,7 @@ TEST(SpinningDisk, IsStretchedByTheSquareOfItsSpin) {
     const auto bodies = make_bodies(scene);
     const PointArray shape = spinning_shape(scene, *bodies);
     return body_motion(shape, PointArray::Zero(200, 2)).moment_of_inertia /
-               body_motion(bodies->disk.points, PointArray::Zero(200, 2)).moment_of_inertia -
+               body_motion(bodies->disk().points, PointArray::Zero(200, 2)).moment_of_inertia -
            1.0;
   };
   EXPECT_GT(growth(0.1), 0.0);
@@ -165,7 +165,7 @@ Scene thrown_at_soft_wall(double angle) {
 
 /// The points of a wall's surface in the order of x, by their rows in the arrays of all points.
 std::vector<Eigen::Index> surface_of(const impact::Run& run) {
-  const PointArray& wall = run.second_lattice()->points;
+  const PointArray& wall = run.bodies()[1].lattice.points;
   const double top = wall.col(1).maxCoeff();
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < wall.rows(); ++i) {

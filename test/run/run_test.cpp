@@ -90,8 +90,8 @@ TEST(Collision, OfTheMirrorImageIsTheMirrorImage) {
   const Restitution original = impact_of(scene);
   Composition mirrored = compose(scene);
   Bodies bodies = *mirrored.bodies;
-  bodies.disk.points.col(0) *= -1.0;
-  bodies.triangles = Triangles(bodies.disk);
+  bodies.all[0].lattice.points.col(0) *= -1.0;
+  bodies.all[0].triangles = Triangles(bodies.disk());
   mirrored.bodies = std::make_shared<const Bodies>(std::move(bodies));
   mirrored.initial.position.col(0) *= -1.0;
   impact::Run run(scene, std::make_shared<const Composition>(std::move(mirrored)));
@@ -111,8 +111,8 @@ TEST(Collision, RunsOfOneCompositionAreTheSame) {
   const Restitution answer = finish(first);
   impact::Run second(scene, composition);
   EXPECT_EQ(finish(second).restitution, answer.restitution);
-  EXPECT_EQ(&first.lattice(), &composition->bodies->disk);
-  EXPECT_EQ(second.second_lattice(), &composition->bodies->second->lattice);
+  EXPECT_EQ(&first.lattice(), &composition->bodies->disk());
+  EXPECT_EQ(&second.bodies(), &composition->bodies->all);
 }
 
 /// Bit for bit, whether the step divides the period or not, or is longer than it.
@@ -547,11 +547,11 @@ TEST(AbsorbingWall, FlagsAContactBesideIt) {
 
 TEST(AbsorbingWall, HasAStateOfEachBody) {
   impact::Run run(absorbing_wall());
-  ASSERT_NE(run.second_lattice(), nullptr);
-  EXPECT_TRUE((run.second_state().position == run.second_lattice()->points).all());
+  ASSERT_EQ(run.bodies().size(), 2U);
+  EXPECT_TRUE((run.state_of(1).position == run.bodies()[1].lattice.points).all());
   while (!run.finished()) run.advance();
   const State disk = run.disk_state();
-  const State wall = run.second_state();
+  const State wall = run.state_of(1);
   ASSERT_EQ(disk.position.rows(), 200);
   ASSERT_EQ(wall.position.rows(), 240);
   PointArray position(440, 2);
@@ -560,7 +560,7 @@ TEST(AbsorbingWall, HasAStateOfEachBody) {
   EXPECT_TRUE((wall.velocity == run.state().velocity.bottomRows(240)).all());
   EXPECT_EQ(disk.time, run.state().time);
   EXPECT_EQ(wall.step, run.state().step);
-  EXPECT_EQ(impact::Run(Scene{}).second_lattice(), nullptr);
+  EXPECT_EQ(impact::Run(Scene{}).bodies().size(), 1U);
 }
 
 /// The disk's momentum is the wall's impulse, whatever becomes of it in the wall.

@@ -31,9 +31,10 @@ TEST(ScenePath, PrefersAFileOfThatName) {
 }
 
 TEST(ScenePath, SaysWhichScenesThereAre) {
-  EXPECT_INPUT_ERROR(scene_path("colision", kScenes),
-                     "colision: no such scene (did you mean collision?), allowed: a scene file, "
-                     "absorbing_wall, collision, contact, disk_on_disk, oblique, stretch");
+  EXPECT_INPUT_ERROR(
+      scene_path("colision", kScenes),
+      "colision: no such scene (did you mean collision?), allowed: a scene file, "
+      "absorbing_wall, collision, contact, disk_on_disk, oblique, row_of_disks, stretch");
   EXPECT_INPUT_ERROR(scene_path("x", "/nowhere"), "x: no such scene, allowed: a scene file");
 }
 

@@ -37,11 +37,11 @@ std::string missing_keys(const std::string& yaml) {
 }
 
 TEST(ParseScene, HasTheKeysOfItsKind) {
-  const std::string of_second_body = "wall.k_a wall.k_b wall.eta wall.threshold wall.file ";
+  const std::string of_other_body = "wall.k_a wall.k_b wall.eta wall.threshold wall.file ";
   const std::string of_elastic_wall =
       "wall.points wall.width wall.height wall.gap_measure wall.boundary wall.reset_interval ";
-  const std::string of_second_disk = "wall.radius wall.mirrored ";
-  const std::string of_others = of_second_body + of_elastic_wall + of_second_disk;
+  const std::string of_row = "wall.radius wall.mirrored wall.disks ";
+  const std::string of_others = of_other_body + of_elastic_wall + of_row;
   const std::string of_contact = "load.P load.hold_rotation ";
   const std::string of_collision = "impact.velocity impact.angle impact.spin impact.gap gravity ";
   const std::string of_stretch = "stretch.width stretch.height stretch.strain ";
@@ -49,7 +49,7 @@ TEST(ParseScene, HasTheKeysOfItsKind) {
       "disk.rim disk.file disk.scale disk.orientation material.eta wall.type wall.a wall.V0 ";
   EXPECT_EQ(missing_keys("{scene: collision}"), of_others + of_contact + of_stretch);
   EXPECT_EQ(missing_keys("{scene: collision, wall: {type: lattice}}"),
-            of_second_disk + of_contact + of_stretch);
+            of_row + of_contact + of_stretch);
   EXPECT_EQ(missing_keys("{scene: collision, wall: {type: disk}}"),
             of_elastic_wall + of_contact + "gravity " + of_stretch);
   EXPECT_EQ(missing_keys("{scene: contact, material: {eta: 1}}"),
@@ -226,7 +226,8 @@ TEST_P(SceneFiles, AreCompleteAndValid) {
 
 INSTANTIATE_TEST_SUITE_P(Launch, SceneFiles,
                          testing::Values("collision.yaml", "contact.yaml", "absorbing_wall.yaml",
-                                         "oblique.yaml", "disk_on_disk.yaml", "stretch.yaml"));
+                                         "oblique.yaml", "disk_on_disk.yaml", "row_of_disks.yaml",
+                                         "stretch.yaml"));
 
 /// The page's table is the one from which the keys are validated.
 TEST(Documents, HaveTheSceneKeys) {

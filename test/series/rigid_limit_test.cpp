@@ -61,7 +61,7 @@ TEST_P(RigidLimit, OfASlowDiskThatSpins) {
   scene.impact.velocity = 1e-6;
   scene.impact.angle = 40.0;
   const double v = scene.impact.normal_velocity();
-  const Lattice disk = make_bodies(scene)->disk;
+  const Lattice disk = make_bodies(scene)->disk();
   const auto after_spin = [&](double spin) { return rigid_impact(disk, {-v, spin}); };
   constexpr double kSpin = 3e-7;
   scene.impact.spin = after_spin(kSpin).velocity > after_spin(-kSpin).velocity ? kSpin : -kSpin;

@@ -92,6 +92,17 @@ class Course(InFolder):
         np.testing.assert_allclose(measured.energies['wall'], written.energies['wall'],
                                    atol=0.02 * written.energies['wall'].max())
 
+    def test_columns_of_a_row_of_disks_agree_with_the_states(self):
+        recording = open_recording(simulate(
+            self.folder / 'run', ['row_of_disks', 'disk.points=30', 'wall.radius=1', 'wall.a=500',
+                                  'impact.velocity=0.05', 'impact.angle=10'], '--states'))
+        self.assertEqual([len(body.points) for body in recording.bodies], 4 * [30])
+        self.assertIn('4 disks', course.title_of(recording))
+        written, measured = self.assert_energies_agree(
+            recording, ('translation', 'rotation', 'vibration', 'bonds'))
+        np.testing.assert_allclose(measured.energies['wall'], written.energies['wall'],
+                                   atol=0.02 * written.energies['wall'].max())
+
     def test_weight_is_in_the_load(self):
         recording = open_recording(simulate(
             self.folder / 'run', [*SMALL_DAMPED, 'material.eta=0', 'gravity=2e-3'], '--states'))

@@ -10,7 +10,7 @@ import yaml
 from .bodies import Body, State
 from .history import measure_history
 from .program import InputError
-from .recording import Recording
+from .recording import OTHERS, Recording
 
 STATES = "particle_states"
 FORCES = "contact_forces"
@@ -33,13 +33,15 @@ class BagRecording(Recording):
         self.statuses = sorted((status for status in statuses if status.run == self.run),
                                key=lambda status: status.sequence)
         lattices = {message.name: message
-                    for _, message in self._messages("lattice", "wall/lattice")
+                    for _, message in self._messages(
+                        "lattice", *(f"{name}/lattice" for name in OTHERS))
                     if message.run == self.run}
         if "disk" not in lattices:
             raise InputError(f"{path}: has no lattice of run {self.run}")
-        wall = body_of(lattices["wall"]) if "wall" in lattices else None
-        super().__init__(path, yaml.safe_load(self.statuses[0].scene), body_of(lattices["disk"]),
-                         wall)
+        names = ["disk", *(name for name in OTHERS if name in lattices)]
+        self.prefixes = ["", *(f"{name}/" for name in names[1:])]
+        super().__init__(path, yaml.safe_load(self.statuses[0].scene),
+                         [body_of(lattices[name]) for name in names])
 
     def _topics(self, path):
         """Topics by what follows the namespace."""
@@ -75,9 +77,7 @@ class BagRecording(Recording):
 
     def states(self):
         """Messages of one state come in any order; a state without one of them is left out."""
-        names = [STATES, FORCES]
-        if self.wall is not None:
-            names += [f"wall/{STATES}", f"wall/{FORCES}"]
+        names = [prefix + topic for prefix in self.prefixes for topic in (STATES, FORCES)]
         waiting = {}
         for name, message in self._messages(*names):
             if message.run != self.run:
@@ -88,15 +88,12 @@ class BagRecording(Recording):
                 yield self._state(waiting.pop(message.sequence))
 
     def _state(self, parts):
-        states = [parts[STATES]]
-        forces = [parts[FORCES]]
-        if self.wall is not None:
-            states.append(parts[f"wall/{STATES}"])
-            forces.append(parts[f"wall/{FORCES}"])
+        states = [parts[prefix + STATES] for prefix in self.prefixes]
+        forces = [parts[prefix + FORCES] for prefix in self.prefixes]
         position = np.concatenate([np.column_stack((part.x, part.y)) for part in states])
         velocity = np.concatenate([np.column_stack((part.vx, part.vy)) for part in states])
         force = np.zeros_like(position)
-        for first_row, part in zip((0, self.disk_rows), forces):
+        for first_row, part in zip(self.first_rows, forces):
             force[first_row + part.point.astype(int)] = np.column_stack((part.fx, part.fy))
         return State(states[0].step, states[0].time, position, velocity, force)
 

@@ -33,7 +33,7 @@ class Body:
 
 @dataclass
 class State:
-    """All points at one time: those of the disk and, after them, those of a second body."""
+    """All points at one time: those of the disk and, after them, those of what it meets."""
 
     step: int
     time: float  # R/c
@@ -65,7 +65,7 @@ def kinetic_energies(position, velocity, mass):
 
 
 def read_lammps_data(path):
-    """A body from a lattice.data or wall.data that `impact` wrote."""
+    """A body from a lattice.data, wall.data, … that `impact` wrote."""
     sections = {}
     rows = None
     with open(path, encoding="utf-8") as file:

@@ -85,6 +85,8 @@ def title_of(recording):
             parts.append(rf"$\omega = {spin:g}\,c/R$")
     if "load" in scene:
         parts.append(f"$P = {recording.number('load', 'P'):g}\\,M c^2/R$")
-    if recording.wall is not None:
-        parts.append("two disks" if recording.hits_disk else "elastic wall")
+    if recording.has_elastic_wall:
+        parts.append("elastic wall")
+    if recording.hits_disk:
+        parts.append(f"{len(recording.bodies)} disks")
     return ", ".join(parts)

@@ -60,7 +60,7 @@ class Film:
     def _set_limits(self, positions):
         low, high = positions.min(axis=0) - 0.1, positions.max(axis=0) + 0.1
         self.ax.set_xlim(low[0], high[0])
-        if "wall" in self.recording.scene and self.recording.wall is None:
+        if "wall" in self.recording.scene and len(self.recording.bodies) == 1:
             low[1] = min(low[1], -0.1)
             self.ax.axhspan(low[1], 0, facecolor="0.85", edgecolor=BLACK, linewidth=0.8, zorder=0)
         self.ax.set_ylim(low[1], high[1])

@@ -8,7 +8,7 @@ import yaml
 from .bodies import State, read_lammps_data
 from .history import read_history
 from .program import InputError
-from .recording import Recording
+from .recording import OTHERS, Recording
 
 STATES = "states.lammpstrj"
 COLUMNS = "id type x y z vx vy vz fx fy fz".split()
@@ -24,9 +24,9 @@ class FolderRecording(Recording):
         except OSError as error:
             raise InputError(f"{error.filename}: {error.strerror}; is {path} a folder of "
                              "impact --output?") from None
-        wall_file = path / "wall.data"
-        wall = read_lammps_data(wall_file) if wall_file.exists() else None
-        super().__init__(path, scene, disk, wall)
+        others = [path / f"{name}.data" for name in OTHERS]
+        bodies = [disk, *(read_lammps_data(file) for file in others if file.exists())]
+        super().__init__(path, scene, bodies)
 
     def history(self):
         return read_history(self.path / "history.csv")

@@ -17,7 +17,7 @@ def numbers(rows):
 
 
 def body_numbers(recording):
-    """Of all points: 1 for the disk, 2 for a second body."""
+    """Of all points: 1 for the disk, 2 … for what it meets."""
     sizes = [len(body.points) for body in recording.bodies]
     return np.repeat(np.arange(1, len(sizes) + 1), sizes)
 

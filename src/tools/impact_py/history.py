@@ -44,7 +44,7 @@ def measure_history(recording, ledgers):
     for way in ("dissipated", "hops", "absorbed"):
         course = [getattr(ledger, way) for _, ledger in ledgers]
         energies[way] = np.interp(np.arange(len(lost)), known_at, course)
-    if recording.wall is not None and not recording.hits_disk:
+    if recording.has_elastic_wall:
         energies["absorbed"] = lost - energies["dissipated"] - energies["hops"]
     elif recording.number("material", "eta") > 0.0:
         energies["dissipated"] = lost
@@ -52,8 +52,8 @@ def measure_history(recording, ledgers):
 
 
 def _measures(recording, state):
-    disk, *wall = recording.parts(state.position)
-    disk_velocity, *wall_velocity = recording.parts(state.velocity)
+    disk, *others = recording.parts(state.position)
+    disk_velocity, *other_velocities = recording.parts(state.velocity)
     disk_force = state.force[: recording.disk_rows]
     mass = recording.disk.point_mass
     bond_law = _bond_law(recording, "material")
@@ -70,18 +70,18 @@ def _measures(recording, state):
     kinetic = kinetic_energies(disk, disk_velocity, mass)
     measures.update(zip(MOTIONS, kinetic))
     if "wall" in recording.scene:
-        # The potential exp(−a l) holds the force over a.
-        sizes = np.hypot(*disk_force.T)
+        # The potential exp(−a l) holds the force over a, between disks that on either of them.
+        sizes = np.hypot(*(0.5 * state.force if recording.hits_disk else disk_force).T)
         measures["wall"] = sizes.sum() / recording.number("wall", "a")
-    if wall:
-        bonds = recording.wall.bond_energy(wall[0], *_bond_law(recording, "wall"))
-        mass = recording.wall.point_mass
+    for body, position, velocity in zip(recording.bodies[1:], others, other_velocities):
+        bonds = body.bond_energy(position, *_bond_law(recording, "wall"))
+        mass = body.point_mass
         if recording.hits_disk:
             measures["bonds"] += bonds
-            for name, energy in zip(MOTIONS, kinetic_energies(wall[0], wall_velocity[0], mass)):
+            for name, energy in zip(MOTIONS, kinetic_energies(position, velocity, mass)):
                 measures[name] += energy
         else:
-            measures["wall lattice"] = 0.5 * mass * np.sum(wall_velocity[0] ** 2) + bonds
+            measures["wall lattice"] = 0.5 * mass * np.sum(velocity**2) + bonds
     return measures
 
 
@@ -90,7 +90,7 @@ def _weight(recording):
 
 
 def _bond_law(recording, part):
-    """k_a and k_b of the disk ("material") or of a second body, which may have its own."""
+    """k_a and k_b of the disk ("material") or of what it meets, which may have its own."""
     own = recording.scene.get(part) or {}
     return tuple(recording.number(part if own.get(key, "auto") != "auto" else "material", key)
                  for key in ("k_a", "k_b"))

@@ -20,7 +20,8 @@ LABELS = {"impact.velocity": "$v/c$", "material.eta": r"$\eta^*$", "restitution"
           "tangential_restitution": r"$\beta$", "normal_energy": "normal energy after",
           "tangential_energy": "tangential energy after", "rotation_energy": "rotation energy after",
           "surface_slope": "slope of the surface", "impulse_ratio": "ratio of impulses", "wall.a": "$a$ $(1/R)$",
-          "wall.k_a": "wall's $k_a$ $(M c^2/R^2)$"}
+          "wall.k_a": "wall's $k_a$ $(M c^2/R^2)$", "wall.disks": "disks in the row",
+          "momentum_passed_on": "momentum passed on", "restitution_of_ends": "$e$ of the ends"}
 
 
 def main():

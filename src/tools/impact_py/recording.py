@@ -6,16 +6,18 @@ import numpy as np
 
 from .program import InputError
 
+OTHERS = ("wall", "wall2", "wall3")  # names of what the disk meets
+
 
 class Recording:
-    """One run. `scene`: as used, nested by key; `disk`, `wall`: bodies, the second an elastic wall
-    or another disk, or None."""
+    """One run. `scene`: as used, nested by key; `bodies`: the disk and, as far as that is made of
+    points, what it meets."""
 
-    def __init__(self, path, scene, disk, wall):
+    def __init__(self, path, scene, bodies):
         self.path = path
         self.scene = scene
-        self.disk = disk
-        self.wall = wall
+        self.bodies = bodies
+        self.disk = bodies[0]
 
     def check_states(self):
         """@throw InputError when no states were recorded."""
@@ -33,30 +35,34 @@ class Recording:
         raise NotImplementedError
 
     @property
-    def bodies(self):
-        """The disk and, if there is one, the second body."""
-        return [self.disk] if self.wall is None else [self.disk, self.wall]
+    def hits_disk(self):
+        """Whether the other bodies are disks."""
+        return (self.scene.get("wall") or {}).get("type") == "disk"
 
     @property
-    def hits_disk(self):
-        """Whether the second body is another disk."""
-        return (self.scene.get("wall") or {}).get("type") == "disk"
+    def has_elastic_wall(self):
+        """Whether the other body is a wall."""
+        return len(self.bodies) > 1 and not self.hits_disk
 
     @property
     def disk_rows(self):
         """The number of points of the disk: the first rows of a state's arrays."""
         return len(self.disk.points)
 
+    @property
+    def first_rows(self):
+        """Of each body in a state's arrays."""
+        sizes = [len(body.points) for body in self.bodies]
+        return np.cumsum([0, *sizes[:-1]])
+
     def bonds(self):
         """Of all bodies, by the rows of a state's arrays."""
-        shifted = [self.disk.bonds]
-        if self.wall is not None:
-            shifted.append(self.wall.bonds + self.disk_rows)
-        return np.concatenate(shifted)
+        return np.concatenate([body.bonds + first for body, first
+                               in zip(self.bodies, self.first_rows)])
 
     def parts(self, rows):
         """An array of all points, body by body."""
-        return np.split(rows, [self.disk_rows])[: len(self.bodies)]
+        return np.split(rows, self.first_rows[1:])
 
     def strains(self, state):
         """Of the bonds of all bodies."""
