@@ -10,6 +10,7 @@
 #include "mechanics/spectrum.hpp"
 #include "run/second_body.hpp"
 #include "scene/scene.hpp"
+#include "statics/compliance.hpp"
 #include "statics/flexibility.hpp"
 #include "statics/folding.hpp"
 
@@ -27,6 +28,8 @@ struct Bodies {
   Flexibility flexibility{};         ///< of the disk that is thrown
   Flexibility second_flexibility{};
   std::vector<std::string> flags;  ///< Run::flags() that files lead to
+  /// Of the disk that is thrown.
+  std::shared_ptr<ComplianceOnDemand> compliance = std::make_shared<ComplianceOnDemand>();
 };
 
 /// With the spectrum if the scene is one of motion, with its γ if the scene is damped.

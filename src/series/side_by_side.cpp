@@ -173,8 +173,13 @@ class SideBySide {
 
   /// False when told to stop.
   bool move() {
+    for (Candidate& candidate : candidates_) {
+      const IntegratorKind integrator = candidate.composition->resolution.integrator;
+      (traits_of(integrator).in_lanes ? for_lanes_ : singles_).push_back(&candidate);
+    }
     outcome_.in_lanes = lanes_pay();
-    return outcome_.in_lanes ? run_in_lanes() : run_singly();
+    if (outcome_.in_lanes) return run_singly(singles_) && run_in_lanes();
+    return run_singly(singles_) && run_singly(for_lanes_);
   }
 
   /// Whether enough lanes will be taken for long enough that a bundle is faster than single runs.
@@ -182,11 +187,11 @@ class SideBySide {
   bool lanes_pay() const {
     double all = 0.0;
     double longest = 0.0;
-    for (const Candidate& candidate : candidates_) {
-      const double steps = expected_steps(*candidate.composition);
-      const double runs = scenes_[candidate.place].numerics.are_given()
+    for (const Candidate* const candidate : for_lanes_) {
+      const double steps = expected_steps(*candidate->composition);
+      const double runs = scenes_[candidate->place].numerics.are_given()
                               ? 1.0
-                              : steps_of_all_runs(candidate.composition->resolution);
+                              : steps_of_all_runs(candidate->composition->resolution);
       all += runs * steps;
       longest = std::max(longest, steps);
     }
@@ -194,8 +199,9 @@ class SideBySide {
            kBundleStep * std::max(longest, all / kLanes) < all;
   }
 
-  bool run_singly() {
-    for (Candidate& candidate : candidates_) {
+  bool run_singly(const std::vector<Candidate*>& candidates) {
+    for (Candidate* const next : candidates) {
+      Candidate& candidate = *next;
       const auto begin = Clock::now();
       try {
         ConvergenceStudy& study = *(candidate.study = std::make_unique<ConvergenceStudy>(
@@ -214,7 +220,7 @@ class SideBySide {
   }
 
   bool run_in_lanes() {
-    for (Candidate& candidate : candidates_) start(candidate);
+    for (Candidate* const candidate : for_lanes_) start(*candidate);
     while (!waiting_.empty()) {
       const auto most = std::max_element(
           waiting_.begin(), waiting_.end(),
@@ -375,6 +381,8 @@ class SideBySide {
   std::shared_ptr<const Bodies> bodies_;
   Lattice lattice_;  ///< of all points
   std::deque<Candidate> candidates_;
+  std::vector<Candidate*> singles_;    ///< that begin with a method which lanes do not have
+  std::vector<Candidate*> for_lanes_;  ///< all others, of those that move
   std::map<BundleKey, std::deque<LaneRun*>> waiting_;
   std::vector<LaneRun*> in_bundle_;
   Clock::time_point since_;  ///< time is shared out up to here
