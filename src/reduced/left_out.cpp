@@ -10,6 +10,8 @@ namespace impact {
 namespace {
 
 constexpr double kMargin = 5.0;
+constexpr double kMarginOfFewPoints = 15.0;
+constexpr Eigen::Index kFewPoints = 100;
 constexpr double kMarginOfOthers = 10.0;
 /// By which derivatives are taken: the change of a height at the contact, in ranges of the wall,
 /// and how far from the middle of the contact that is when the body turns (R).
@@ -107,7 +109,8 @@ ModelError left_out(const SlowImpact& impact) {
   const double beyond = std::abs(strained(at_peak, impact.field, peak).beyond);
   const double others =
       (beyond + kinetic_energy(at_peak, impact)) / energy + std::sqrt(vibrations / energy);
-  return {kMargin * (by_spin + vibrations / twice_left), kMargin * spin, kMarginOfOthers * others};
+  const double margin = at_peak.arm().rows() < kFewPoints ? kMarginOfFewPoints : kMargin;
+  return {margin * (by_spin + vibrations / twice_left), margin * spin, kMarginOfOthers * others};
 }
 
 }  // namespace impact

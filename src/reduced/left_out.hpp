@@ -47,8 +47,8 @@ struct SlowImpact {
 /// kinetic energy, over the energy of the impact, and by the amplitude of vibrations,
 /// √(E_v/(v²/2)).
 ///
-/// Margins: 5 for e and the spin, 10 for forces and times (doc/report.md has the errors against the
-/// full model).
+/// Margins: 5 for e and the spin, 15 with fewer than 100 points, of which few carry the contact; 10
+/// for forces and times (doc/report.md has the errors against the full model).
 ModelError left_out(const SlowImpact& impact);
 
 }  // namespace impact

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "reduced/reduced_motion.hpp"
 #include "run/compose.hpp"

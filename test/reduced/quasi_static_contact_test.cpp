@@ -71,13 +71,13 @@ PointArray pushed(const SmallDisk& disk, const Pose& pose, const Eigen::ArrayXd&
 /// What bonds and wall do to a point at rest is its share of what moves the whole, to the second
 /// order of the strain: at a third of the force a ninth is left.
 TEST(QuasiStaticContact, BalancesBondsAndWall) {
-  const SmallDisk disk;
+  const SmallDisk disk(60, 2.0);
   struct Unbalanced {
     double force;
     double part;
   };
   const auto unbalanced = [&](double lift) -> Unbalanced {
-    QuasiStaticContact contact = contact_of(disk, 1.0, 1e-30);
+    QuasiStaticContact contact = contact_of(disk, 2.0, 1e-30);
     Pose pose = pressed(disk, 0.4);
     pose.height += lift;
     contact.take(pose);
