@@ -4,6 +4,7 @@
 
 #include "mechanics/energy_ledger.hpp"
 #include "mechanics/force_field.hpp"
+#include "mechanics/model_error.hpp"
 #include "mechanics/state.hpp"
 
 namespace impact {
@@ -24,6 +25,7 @@ class System {
   int halvings() const { return halvings_; }
 
   virtual double kinetic_energy() const;  ///< of all points, M c²
+  virtual ModelError model_error() const { return {}; }
   EnergyLedger ledger() const { return field_.ledger(state(), losses_); }
 
   /// Largest component, over all points, of the force on a point at rest in the present

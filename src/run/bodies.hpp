@@ -10,6 +10,7 @@
 #include "mechanics/spectrum.hpp"
 #include "run/placed_body.hpp"
 #include "scene/scene.hpp"
+#include "statics/compliance.hpp"
 #include "statics/flexibility.hpp"
 #include "statics/folding.hpp"
 
@@ -29,6 +30,8 @@ struct Bodies {
   BondForces bonds;                  ///< of all bodies, one after another; with any constants
   std::optional<Spectrum> spectrum;  ///< of all bonds, for k_a = 1, m = 1 and η = 1
   std::vector<std::string> flags;    ///< Run::flags() that files lead to
+  /// Of the disk that is thrown.
+  std::shared_ptr<ComplianceOnDemand> compliance = std::make_shared<ComplianceOnDemand>();
 
   const Lattice& disk() const { return all.front().lattice; }
   bool is_alone() const { return all.size() == 1; }

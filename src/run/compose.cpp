@@ -13,7 +13,9 @@
 #include "run/expected_time.hpp"
 #include "run/forecast.hpp"
 #include "run/row_of_disks.hpp"
+#include "run/slow_impact.hpp"
 #include "run/spinning_shape.hpp"
+#include "scene/parameter_table.hpp"
 
 namespace impact {
 namespace {
@@ -188,12 +190,14 @@ Composition compose_on_wall(const Scene& scene, std::shared_ptr<const Bodies> bo
   }
 
   const double gap = initial.position.col(1).head(points).minCoeff();
+  const bool is_slow = scene.numerics.integrator == IntegratorKind::kAuto &&
+                       may_be_reduced(scene, points) && !has_flag(bodies->flags, Flag::kFloppy);
   const Rates rates_of_scene = rates(scene, spectrum, wall, static_cast<int>(points), sound_speed);
   return {std::move(bodies),
           std::move(field),
           std::move(initial),
           rates_of_scene,
-          first_resolution(scene, rates_of_scene),
+          is_slow ? reduced_resolution(scene) : first_resolution(scene, rates_of_scene),
           expected_time(scene, points, gap, row_gap)};
 }
 
@@ -223,6 +227,11 @@ Composition compose(const Scene& scene, std::shared_ptr<const Bodies> bodies) {
         "disk.file: {}: the lattice is floppy, it can change its shape without a change of a bond: "
         "a contact has no state of rest",
         scene.disk.file));
+  }
+  if (scene.numerics.integrator == IntegratorKind::kReduced &&
+      has_flag(bodies->flags, Flag::kFloppy)) {
+    throw bad_value("numerics.integrator", "reduced",
+                    "another one for a floppy lattice, which has no static compliance");
   }
   return scene.kind == SceneKind::kStretch ? compose_stretch(scene, std::move(bodies))
                                            : compose_on_wall(scene, std::move(bodies));

@@ -23,6 +23,8 @@ constexpr double kRoundingOfImpact = 16.0;
 constexpr double kRoundingOfStrain = 4.0;
 /// The part of numerics.error above which the wall's tail is made smaller.
 constexpr double kMostTail = 0.1;
+/// The part of numerics.error that a model may leave out.
+constexpr double kMostLeftOut = 0.5;
 constexpr double kStagnation = 0.7;
 constexpr std::size_t kRunsToCompare = 3;
 constexpr std::size_t kErraticRunsToCompare = 5;
@@ -76,6 +78,7 @@ ErrorControl::ErrorControl(Scene scene, const Composition& composition)
     : scene_(std::move(scene)),
       rates_(composition.rates),
       expected_time_(composition.expected_time),
+      points_(composition.initial.position.rows()),
       resolution_(composition.resolution),
       most_steps_(std::max(kMostSteps, kMostRefinement * expected_time_ / resolution_.step)) {
   if (is_controlled()) plan(resolution_);
@@ -107,8 +110,10 @@ std::vector<Resolution> ErrorControl::later_resolutions() const {
 
 bool ErrorControl::accepts(const Run& run, const Restitution& measured) {
   if (scene_.kind == SceneKind::kCollision) {
-    return accepts(
-        finished_impact(run, is_controlled() ? after_the_tail(run, measured) : measured));
+    FinishedImpact impact =
+        finished_impact(run, is_controlled() ? after_the_tail(run, measured) : measured);
+    if (is_controlled()) impact.model_error = model_error_of(run);
+    return accepts(impact);
   }
   accepted_ = scene_.kind != SceneKind::kContact || accepts_contact(run);
   return accepted_;
@@ -148,14 +153,15 @@ bool ErrorControl::accepts(const FinishedImpact& run) {
     refine(kRefinement);
     return false;
   }
-  if (starts_too_near(run)) return false;
+  if (starts_too_near(run) || leaves_out_too_much(run)) return false;
   runs_.push_back({resolution_, run.measured});
   note_irregularities(run);
   if (runs_.size() < runs_needed() || !planned_.empty()) {
     go_on(kRefinement);
     return false;
   }
-  conclude(run.tail_error + run.error_by_hops * std::min(1.0, way_in(run.step)) + rounding(run));
+  conclude(run.tail_error + run.error_by_hops * std::min(1.0, way_in(run.step)) + rounding(run),
+           run.model_error);
   accepted_ = estimated_error_ <= scene_.numerics.error * (is_confirmed() ? 1.0 : kUnconfirmed);
   if (!accepted_) refine_by_estimate();
   return accepted_;
@@ -168,6 +174,37 @@ bool ErrorControl::starts_too_near(const FinishedImpact& run) {
   Resolution finest = planned_.empty() ? resolution_ : planned_.front();
   finest.lift += on_whole_resets(scene_, std::log(2.0 * run.tail_error / most) / scene_.wall.a);
   plan(finest);
+  return true;
+}
+
+/// It does not depend on the step: the first run of a method says it.
+const ModelError& ErrorControl::model_error_of(const Run& run) {
+  if (runs_.empty()) model_error_ = run.system().model_error();
+  return model_error_;
+}
+
+/// True when the next run will move all points.
+bool ErrorControl::leaves_out_too_much(const FinishedImpact& run) {
+  double left_out = run.model_error.restitution;
+  if (scene_.impact.slides()) {
+    left_out =
+        std::max(left_out, run.model_error.spin / std::abs(scene_.impact.tangential_velocity()));
+  }
+  if (left_out <= kMostLeftOut * scene_.numerics.error) return false;
+  if (!go_on_with_all_points()) {
+    give_up(fmt::format("what it leaves out may change the answer by {:.1e}", left_out));
+  }
+  return true;
+}
+
+/// Where `auto` began with less. False if it did not.
+bool ErrorControl::go_on_with_all_points() {
+  const bool is_reduced = resolution_.integrator == IntegratorKind::kReduced;
+  if (!is_reduced || scene_.numerics.integrator != IntegratorKind::kAuto) return false;
+  Resolution all = first_resolution(scene_, rates_);
+  all.lift = resolution_.lift;
+  most_steps_ = std::max(kMostSteps, kMostRefinement * expected_time_ / all.step);
+  plan(all);
   return true;
 }
 
@@ -214,7 +251,7 @@ ConvergedValue ErrorControl::convergence_of(const std::vector<Sample>& runs) con
 }
 
 /// Finds the answer of the latest runs. `noise`: relative error that finer steps do not take away.
-void ErrorControl::conclude(double noise) {
+void ErrorControl::conclude(double noise, const ModelError& left_out) {
   const std::size_t count = order() ? std::min(runs_.size(), kRunsThatShowAnOrder) : runs_needed();
   const std::vector<FinishedRun> runs(runs_.end() - static_cast<std::ptrdiff_t>(count),
                                       runs_.end());
@@ -230,6 +267,7 @@ void ErrorControl::conclude(double noise) {
     answer_.value.*number = estimate.value;
     answer_.error.*number = estimate.error + noise * std::abs(estimate.value);
   }
+  add(left_out);
   const double e = answer_.value.restitution;
   answer_.value.velocity_after = -e * finest.velocity_before;
   answer_.error.velocity_after = answer_.error.restitution * std::abs(finest.velocity_before);
@@ -244,6 +282,20 @@ void ErrorControl::conclude(double noise) {
   }
   const double surface_speed = scene_.impact.velocity + std::abs(scene_.impact.spin);
   estimated_error_ = std::max(estimated_error_, answer_.error.spin_after / surface_speed);
+}
+
+/// To the errors of the answer.
+void ErrorControl::add(const ModelError& left_out) {
+  for (const auto& [name, number] : impact_numbers<Restitution>()) {
+    const double relative = is_read_off_steps(name) ? left_out.others : left_out.restitution;
+    answer_.error.*number += relative * std::abs(answer_.value.*number);
+  }
+  if (resolution_.integrator != IntegratorKind::kReduced) return;
+  const double turned = left_out.spin / std::abs(answer_.value.spin_after);
+  answer_.error.spin_after += left_out.spin;
+  answer_.error.rotation_energy += 2.0 * turned * answer_.value.rotation_energy;
+  answer_.error.tangential_restitution +=
+      left_out.spin / std::abs(scene_.impact.tangential_velocity());
 }
 
 bool ErrorControl::is_extrapolated() const {
@@ -301,6 +353,7 @@ bool ErrorControl::accepts_contact(const Run& run) {
 
 void ErrorControl::take_failure(const RunFailure& failure) {
   if (!is_controlled()) throw failure;
+  if (go_on_with_all_points()) return;
   if (++failures_ > kMostFailures) throw failure;
   runs_.clear();
   planned_.clear();

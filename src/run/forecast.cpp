@@ -9,6 +9,7 @@
 
 #include "run/expected_time.hpp"
 #include "run/resolution.hpp"
+#include "run/slow_impact.hpp"
 #include "scene/scene_parameters.hpp"
 
 namespace impact {
@@ -72,7 +73,7 @@ double all_runs(const Scene& scene, const Resolution& last) {
   return is_controlled ? steps_of_all_runs(last) : 1.0;
 }
 
-Work work_of(const Scene& scene, const Rates& rates, double time) {
+Work work_of(const Scene& scene, const Rates& rates, Eigen::Index points, double time) {
   const IntegratorKind integrator = scene.numerics.integrator;
   const bool stiff = traits_of(integrator).stiff;
   if (is_adaptive(integrator) && !stiff) {
@@ -84,6 +85,8 @@ Work work_of(const Scene& scene, const Rates& rates, double time) {
   const Resolution resolution =
       scene.numerics.step
           ? Resolution{with_given_step(integrator), dividing_resets(scene, *scene.numerics.step)}
+      : integrator == IntegratorKind::kAuto && may_be_reduced(scene, points)
+          ? reduced_resolution(scene)
           : first_resolution(scene, rates);
   double cost = cost_of_step(scene, resolution.integrator);
   if (is_adaptive(integrator)) {
@@ -155,7 +158,7 @@ Forecast forecast(const Scene& scene, Eigen::Index points, Eigen::Index other_po
   } else {
     time *= kPartOfRelaxation;
   }
-  const Work work = work_of(scene, expected, time);
+  const Work work = work_of(scene, expected, points, time);
   const double of_step = kStep + kStepOfPoint * static_cast<double>(points + other_points);
   return {work.steps, work.steps * work.cost_of_step * of_step};
 }

@@ -15,6 +15,7 @@
 #include "mechanics/simulation.hpp"
 #include "mechanics/velocity_verlet.hpp"
 #include "run/expected_time.hpp"
+#include "run/slow_impact.hpp"
 #include "scene/scene_parameters.hpp"
 #include "solvers/make_bdf.hpp"
 #include "solvers/make_rk8pd.hpp"
@@ -130,6 +131,17 @@ Resolution automatic_resolution(const Scene& scene, const Rates& rates) {
   });
 }
 
+/// Of a method that moves less than all points.
+double given_reduced_step(const Scene& scene) {
+  const double step = *scene.numerics.step;
+  const double limit = kLongestResolvedWay / (scene.wall.a * scene.impact.normal_velocity());
+  if (step <= limit) return step;
+  throw InputError(fmt::format(
+      "numerics.step: got {}, allowed: at most {:.4g} R/c with reduced, in which the disk comes "
+      "half the range of the wall",
+      step, limit));
+}
+
 double given_step(const Scene& scene, IntegratorKind integrator, const Spectrum& lattice) {
   const double step = *scene.numerics.step;
   const double limit = step_limit(integrator, lattice.omega_squared, lattice.gamma);
@@ -165,6 +177,7 @@ std::unique_ptr<FixedStepIntegrator<Field>> make_fixed(IntegratorKind integrator
     case IntegratorKind::kAuto:
     case IntegratorKind::kBdf:
     case IntegratorKind::kRk8pd:
+    case IntegratorKind::kReduced:
     case IntegratorKind::kNewton:
       break;
   }
@@ -215,6 +228,10 @@ IntegratorKind with_given_step(IntegratorKind integrator) {
 
 Resolution first_resolution(const Scene& scene, const Rates& rates) {
   const IntegratorKind integrator = scene.numerics.integrator;
+  if (integrator == IntegratorKind::kReduced) {
+    return scene.numerics.step ? Resolution{integrator, given_reduced_step(scene)}
+                               : reduced_resolution(scene);
+  }
   if (is_adaptive(integrator)) {
     const bool comes_to_rest = scene.kind == SceneKind::kContact;
     const double tolerance = comes_to_rest ? kRestTolerance : scene.numerics.error;

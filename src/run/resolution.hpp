@@ -73,6 +73,8 @@ double steps_of_all_runs(const Resolution& last);
 /// The resolution that the scene gives or, where it leaves it open, the one that is likely to be
 /// needed.
 ///
+/// Where the integrator is `reduced`, as reduced_resolution(). Of other motion:
+///
 /// `integrator: auto` in a scene of motion: of the methods that the scene can have (without damping
 /// velocity Verlet and Blanes–Moan; with damping velocity Verlet, implicit and extrapolated
 /// damping) the one of least cost, force evaluations and linear solutions counted, at the step that
@@ -87,7 +89,8 @@ double steps_of_all_runs(const Resolution& last);
 /// v h)⁶, half of numerics.error.
 ///
 /// Where velocities are reset at intervals, the step, given or not, is shortened to divide them.
-/// @throw InputError when a given step exceeds the stability limit of the lattice and its damping.
+/// @throw InputError when a given step exceeds the stability limit of the lattice and its damping
+/// or, with `reduced`, 0.5/(a v).
 Resolution first_resolution(const Scene& scene, const Rates& rates);
 
 /// The runs of a collision that end with this one: it, and those before it, the first one last.

@@ -10,6 +10,7 @@
 #include "mechanics/simulation.hpp"
 #include "run/expected_time.hpp"
 #include "run/other_rests.hpp"
+#include "run/slow_impact.hpp"
 #include "statics/equilibrium_solver.hpp"
 
 namespace impact {
@@ -55,7 +56,8 @@ bool is_beside_wall(const Scene& scene, const System& system) {
 }
 
 /// To the next output time, a step where steps are not shortened on the way.
-void step_to_output(Simulation& simulation, double interval, Run& run,
+template <class Moving>
+void step_to_output(Moving& simulation, double interval, Run& run,
                     const std::function<bool()>& stop) {
   constexpr double kRounding = 1e-6;  // of an interval
   const double target =
@@ -67,15 +69,25 @@ void step_to_output(Simulation& simulation, double interval, Run& run,
   }
 }
 
+template <class Moving>
+DrivenSystem driven(std::unique_ptr<Moving> motion, double interval) {
+  Moving& moving = *motion;
+  return {std::move(motion), [&moving, interval](Run& run, const auto& stop) {
+            step_to_output(moving, interval, run, stop);
+          }};
+}
+
 DrivenSystem simulated(const Scene& scene, const Composition& composition,
                        const Resolution& resolution) {
-  auto simulation = std::make_unique<Simulation>(
-      composition.field, start_of(composition, resolution), composition.rates.lattice,
-      resolution.step, make_integrator(scene, resolution, composition.rates.sound_speed));
-  Simulation& driven = *simulation;
-  return {std::move(simulation),
-          [&driven, interval = output_interval(scene, resolution.step)](
-              Run& run, const auto& stop) { step_to_output(driven, interval, run, stop); }};
+  const double interval = output_interval(scene, resolution.step);
+  if (resolution.integrator == IntegratorKind::kReduced) {
+    return driven(slow_impact(scene, composition, resolution), interval);
+  }
+  return driven(
+      std::make_unique<Simulation>(
+          composition.field, start_of(composition, resolution), composition.rates.lattice,
+          resolution.step, make_integrator(scene, resolution, composition.rates.sound_speed)),
+      interval);
 }
 
 DrivenSystem solved(const Scene& scene, const Composition& composition) {

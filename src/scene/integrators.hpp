@@ -11,9 +11,10 @@ enum class IntegratorKind {
   kBlanesMoan,
   kImplicitDamping,
   kExtrapolatedDamping,
-  kBdf,    ///< SUNDIALS CVODE, for stiff damping
-  kRk8pd,  ///< GSL, the independent reference
-  kNewton  ///< no motion: a static solution
+  kBdf,      ///< SUNDIALS CVODE, for stiff damping
+  kRk8pd,    ///< GSL, the independent reference
+  kReduced,  ///< rigid motion and static compliance, for slow impacts
+  kNewton    ///< no motion: a static solution
 };
 
 /// How a method goes on.
@@ -21,21 +22,23 @@ enum class Stepping {
   kOpen,      ///< `auto`: as the method that it chooses
   kFixed,     ///< in steps that are given
   kAdaptive,  ///< in steps of its own, from a tolerance
+  kReduced,   ///< in steps that are given, of less than all points
   kStatic     ///< to a state at rest, without motion
 };
 
-/// For which forces `auto` may choose a method.
-enum class AutoChoice { kNever, kUndamped, kDamped, kAlways };
+/// For which forces `auto` may choose a method: in a slow impact before all others, see
+/// may_be_reduced().
+enum class AutoChoice { kNever, kUndamped, kDamped, kAlways, kSlow };
 
 /// What the package knows of a method, besides how to make it (make_integrator()).
 struct IntegratorTraits {
   IntegratorKind kind;
   const char* name;  ///< in scenes, messages and results
   Stepping stepping;
-  int order;                ///< of a method of fixed step; else 0
+  int order;                ///< of a method whose step is given; else 0
   bool stiff;               ///< solves for velocities, so that damping does not limit its steps
   bool holds_with_damping;  ///< where forces depend on velocities
-  bool in_lanes;            ///< lanes take it; of `auto`: all that it may choose
+  bool in_lanes;            ///< lanes take it; of `auto`: all that it may choose but slow impacts
   AutoChoice choice;
   /// Time of a step without damping, in steps of undamped velocity Verlet, as
   /// test/bench/bench_runs.cpp measures it at N = 1099. Of an adaptive method: of a step of its
@@ -46,7 +49,7 @@ struct IntegratorTraits {
 
 /// A row for each method, in the order of IntegratorKind, which is that of lists for users.
 // clang-format off
-inline constexpr std::array<IntegratorTraits, 8> kIntegrators{{
+inline constexpr std::array<IntegratorTraits, 9> kIntegrators{{
     // kind, name, stepping, order,
     //     stiff, holds with damping, in lanes, auto may choose it, cost, damped cost
     {IntegratorKind::kAuto, "auto", Stepping::kOpen, 0,
@@ -63,6 +66,8 @@ inline constexpr std::array<IntegratorTraits, 8> kIntegrators{{
          true, true, false, AutoChoice::kNever, 2.0, 2.0},
     {IntegratorKind::kRk8pd, "rk8pd", Stepping::kAdaptive, 0,
          false, true, false, AutoChoice::kNever, 14.0, 14.0},
+    {IntegratorKind::kReduced, "reduced", Stepping::kReduced, 2,
+         false, false, false, AutoChoice::kSlow, 0.5, 0.5},
     {IntegratorKind::kNewton, "newton", Stepping::kStatic, 0,
          false, true, true, AutoChoice::kNever, 0.0, 0.0},
 }};
@@ -82,7 +87,7 @@ constexpr bool solves_for_damping(IntegratorKind kind) {
   return traits_of(kind).stepping == Stepping::kFixed && traits_of(kind).stiff;
 }
 
-/// Order of a method of fixed step.
+/// Order of a method whose step is given.
 constexpr int order_of(IntegratorKind kind) { return traits_of(kind).order; }
 
 /// Whether `auto` may choose the method where forces do, or do not, depend on velocities.

@@ -317,10 +317,21 @@ Keys make_table() {
   return table;
 }
 
+/// What keeps a scene from being a slow impact of rigid motion and static compliance; empty:
+/// nothing.
+std::string beyond_reduced(const Scene& scene) {
+  if (scene.kind != SceneKind::kCollision) return "a contact or stretch scene";
+  if (scene.wall.kind != WallKind::kPotential) return "a wall that moves (wall.type)";
+  if (scene.is_damped()) return "damping (material.eta above 0)";
+  if (scene.gravity != 0.0) return "gravity";
+  if (scene.impact.spin != 0.0) return "a disk that spins at the start (impact.spin)";
+  return "";
+}
+
 /// Which integrators a scene may have.
 void check_integrator(const Scene& scene) {
   const IntegratorKind kind = scene.numerics.integrator;
-  const auto refuse = [&](const char* allowed) {
+  const auto refuse = [&](const std::string& allowed) {
     throw bad_value("numerics.integrator", name_of(kind), allowed);
   };
   if (kind == IntegratorKind::kAuto) return;
@@ -330,6 +341,10 @@ void check_integrator(const Scene& scene) {
     refuse("a method of motion in a collision, not a static solution");
   }
   if (!still && scene.kind == SceneKind::kStretch) refuse("auto or newton in a stretch scene");
+  const std::string beyond = beyond_reduced(scene);
+  if (kind == IntegratorKind::kReduced && !beyond.empty()) {
+    refuse(fmt::format("another one with {}, which reduced does not have", beyond));
+  }
   if (!method.holds_with_damping && scene.is_damped()) {
     refuse(
         "another one where forces depend on velocities (material.eta above 0 or a viscous "
@@ -405,6 +420,8 @@ const std::vector<std::pair<std::string, IntegratorKind>>& integrator_names() {
   }();
   return names;
 }
+
+bool can_be_reduced(const Scene& scene) { return beyond_reduced(scene).empty(); }
 
 std::string name_of(IntegratorKind kind) { return traits_of(kind).name; }
 

@@ -12,6 +12,10 @@ namespace impact {
 /// Every key of a scene file: unit, range, meaning, in which kind of scene it exists.
 const std::vector<Parameter<Scene>>& scene_parameters();
 
+/// Whether the scene can have the method `reduced`: the impact of an undamped disk, which does not
+/// spin, on the potential wall without gravity.
+bool can_be_reduced(const Scene& scene);
+
 /// The words for the integrators in scenes, messages and results.
 const std::vector<std::pair<std::string, IntegratorKind>>& integrator_names();
 std::string name_of(IntegratorKind kind);

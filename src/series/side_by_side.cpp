@@ -81,6 +81,12 @@ BundleKey bundle_key_of(const LaneRun& lane_run) {
           solves ? field.bonds.law().eta : 0.0};
 }
 
+/// Whether lanes take the method and the field of the first run, and so those of all.
+bool are_for_lanes(const Composition& composition) {
+  return traits_of(composition.resolution.integrator).in_lanes &&
+         LaneField::knows(composition.field);
+}
+
 /// About how many steps a run of the scene takes.
 double expected_steps(const Composition& composition) {
   return composition.expected_time / composition.resolution.step;
@@ -173,13 +179,14 @@ class SideBySide {
 
   /// False when told to stop.
   bool move() {
-    std::vector<Candidate*> known;
-    std::vector<Candidate*> others;
+    std::vector<Candidate*> for_lanes;
+    std::vector<Candidate*> singles;
     for (Candidate& candidate : candidates_) {
-      (LaneField::knows(candidate.composition->field) ? known : others).push_back(&candidate);
+      (are_for_lanes(*candidate.composition) ? for_lanes : singles).push_back(&candidate);
     }
-    outcome_.in_lanes = lanes_pay(known);
-    return (outcome_.in_lanes ? run_in_lanes(known) : run_singly(known)) && run_singly(others);
+    outcome_.in_lanes = lanes_pay(for_lanes);
+    return run_singly(singles) &&
+           (outcome_.in_lanes ? run_in_lanes(for_lanes) : run_singly(for_lanes));
   }
 
   /// Whether enough lanes will be taken for long enough that a bundle is faster than single runs.

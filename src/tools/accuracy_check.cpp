@@ -33,21 +33,23 @@ constexpr std::chrono::milliseconds kPatience{100};
 
 using Checks = std::vector<AccuracyCheck>;
 
-AccuracyCheck check(std::uint64_t seed, int number) {
-  const RandomScene random = random_scene(seed, number);
+using DrawScene = RandomScene (*)(std::uint64_t seed, int number);
+
+AccuracyCheck check(DrawScene draw, std::uint64_t seed, int number) {
+  const RandomScene random = draw(seed, number);
   return {random.scene, random.rejected, reference_answer(random.scene), try_scene(random.scene)};
 }
 
 /// All or, after an interruption, those that had begun, which are the first ones.
-Checks check_all(std::uint64_t seed, int scenes, int jobs) {
+Checks check_all(DrawScene draw, std::uint64_t seed, int scenes, int jobs) {
   boost::asio::thread_pool pool(static_cast<std::size_t>(jobs));
   std::vector<std::future<std::optional<AccuracyCheck>>> futures;
   futures.reserve(static_cast<std::size_t>(scenes));
   for (int number = 0; number < scenes; ++number) {
     futures.push_back(boost::asio::post(
-        pool, boost::asio::use_future([seed, number]() -> std::optional<AccuracyCheck> {
+        pool, boost::asio::use_future([draw, seed, number]() -> std::optional<AccuracyCheck> {
           if (interrupted()) return std::nullopt;
-          return check(seed, number);
+          return check(draw, seed, number);
         })));
   }
   ProgressBar bar("accuracy_check", futures.size(), "scenes");
@@ -172,10 +174,11 @@ void print_answers_in_doubt(const Checks& checks) {
   }
 }
 
-void check_accuracy(std::uint64_t seed, int scenes, int jobs, const std::string& output) {
+void check_accuracy(DrawScene draw, std::uint64_t seed, int scenes, int jobs,
+                    const std::string& output) {
   const OutputLock lock = OutputLock::of_file(output);
   take_interruptions();
-  const Checks checks = check_all(seed, scenes, jobs);
+  const Checks checks = check_all(draw, seed, scenes, jobs);
   table_of(checks).write(output);
   print_summary(checks);
   print_refusals(checks);
@@ -195,13 +198,17 @@ int main(int argc, char** argv) {
   std::string output;
   int scenes = 50;
   std::uint64_t seed = 1;
+  bool slow = false;
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   app.add_option("--output", output, "CSV file")->required();
   app.add_option("--scenes", scenes, "how many")
       ->capture_default_str()
       ->check(CLI::Range(1, 10000));
   app.add_option("--seed", seed, "of the random scenes")->capture_default_str();
+  app.add_flag("--slow", slow, "slow impacts, of which auto tries the method reduced");
   app.add_option("--jobs", jobs, "threads")->capture_default_str()->check(CLI::Range(1, 1024));
-  return impact::run_tool(app, argc, argv,
-                          [&] { impact::check_accuracy(seed, scenes, jobs, output); });
+  return impact::run_tool(app, argc, argv, [&] {
+    impact::check_accuracy(slow ? impact::random_slow_scene : impact::random_scene, seed, scenes,
+                           jobs, output);
+  });
 }

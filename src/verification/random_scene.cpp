@@ -13,6 +13,7 @@ namespace impact {
 namespace {
 
 constexpr double kMostWorkOfScene = 5e6;
+constexpr double kMostWorkOfSlowScene = 1.5e7;
 constexpr double kLargestStrain = 0.3;
 constexpr double kStrainRounding = 1e-15;  // R, of a strain
 
@@ -87,6 +88,17 @@ Scene draw_scene(Draw& draw, int kind) {
   return scene;
 }
 
+Scene draw_slow_scene(Draw& draw) {
+  Scene scene;
+  draw_disk(draw, scene);
+  scene.wall.a = draw.log_uniform(30.0, 3e3);
+  const double v0 = scene.wall.a / scene.disk.recipe.points;
+  scene.wall.v0 = draw.log_uniform_or_none(1e-3 * v0, 1e3 * v0);
+  scene.numerics.error = draw.log_uniform(1e-9, 1e-2);
+  scene.impact.velocity = draw.log_uniform(1e-5, 6e-3) * std::sqrt(scene.material.k_a);
+  return scene;
+}
+
 double work_of(const Composition& composition) {
   const Rates& rates = composition.rates;
   const double omega = std::sqrt(rates.lattice.omega_squared + rates.wall);
@@ -137,6 +149,17 @@ RandomScene random_scene(std::uint64_t seed, int number) {
   for (int rejected = 0;; ++rejected) {
     const Scene scene = draw_scene(draw, number % kKinds);
     if (can_be_made(scene) && is_sensible(scene)) return {scene, rejected};
+  }
+}
+
+RandomScene random_slow_scene(std::uint64_t seed, int number) {
+  Draw draw(seed, number);
+  for (int rejected = 0;; ++rejected) {
+    const Scene scene = draw_slow_scene(draw);
+    if (!can_be_made(scene)) continue;
+    const Composition composition = compose(scene);
+    const bool is_slow = composition.resolution.integrator == IntegratorKind::kReduced;
+    if (is_slow && work_of(composition) <= kMostWorkOfSlowScene) return {scene, rejected};
   }
 }
 

@@ -59,7 +59,9 @@ std::vector<TestScene> test_scenes(bool quick) {
 std::vector<IntegratorKind> integrators_of(const Scene& scene) {
   std::vector<IntegratorKind> list;
   for (const auto& entry : integrator_names()) {
-    if (entry.second != IntegratorKind::kAuto && can_have(scene, entry.second)) {
+    const bool moves_all_points = traits_of(entry.second).stepping != Stepping::kReduced;
+    if (entry.second != IntegratorKind::kAuto && moves_all_points &&
+        can_have(scene, entry.second)) {
       list.push_back(entry.second);
     }
   }

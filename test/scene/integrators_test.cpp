@@ -20,6 +20,7 @@ std::size_t number_up_to(IntegratorKind last) {
     case IntegratorKind::kExtrapolatedDamping:
     case IntegratorKind::kBdf:
     case IntegratorKind::kRk8pd:
+    case IntegratorKind::kReduced:
     case IntegratorKind::kNewton:
       return static_cast<std::size_t>(last) + 1;
   }

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+
 #include "document.hpp"
 #include "expect_input_error.hpp"
 #include "scene/keys.hpp"
@@ -104,6 +107,18 @@ TEST(ParseScene, RefusesWhatDoesNotGoTogether) {
   EXPECT_NO_THROW(parse("{scene: contact, numerics: {integrator: newton}}"));
   EXPECT_INPUT_ERROR(parse("{scene: collision, numerics: {integrator: newton}}"),
                      "numerics.integrator: got newton, allowed: a method of motion");
+  for (const auto& [rest, cause] : std::map<std::string, std::string>{
+           {"scene: contact", "a contact or stretch scene"},
+           {"scene: collision, wall: {type: lattice}", "a wall that moves (wall.type)"},
+           {"scene: collision, wall: {type: disk}", "a wall that moves (wall.type)"},
+           {"scene: collision, material: {eta: 1}", "damping (material.eta above 0)"},
+           {"scene: collision, gravity: 0.1", "gravity"},
+           {"scene: collision, impact: {spin: 0.1}", "a disk that spins at the start"}}) {
+    EXPECT_INPUT_ERROR(parse("{numerics: {integrator: reduced}, " + rest + "}"),
+                       "numerics.integrator: got reduced, allowed: another one with " + cause);
+  }
+  EXPECT_NO_THROW(
+      parse("{scene: collision, impact: {angle: 10}, numerics: {integrator: reduced, step: 1}}"));
   EXPECT_INPUT_ERROR(parse("{scene: stretch, numerics: {integrator: verlet}}"),
                      "numerics.integrator: got verlet, allowed: auto or newton in a stretch scene");
   EXPECT_INPUT_ERROR(parse("{scene: stretch, stretch: {strain: 0}}"),

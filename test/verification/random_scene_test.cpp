@@ -8,6 +8,7 @@
 #include <sstream>
 #include <vector>
 
+#include "run/compose.hpp"
 #include "scene/keys.hpp"
 #include "scene/scene_parameters.hpp"
 #include "scene/short_keys.hpp"
@@ -33,6 +34,17 @@ TEST(RandomScene, FollowsFromSeedAndNumber) {
   EXPECT_EQ(to_yaml(random_scene(kSeed, 3).scene), to_yaml(random_scene(kSeed, 3).scene));
   EXPECT_NE(to_yaml(random_scene(kSeed, 3).scene), to_yaml(random_scene(kSeed, 8).scene));
   EXPECT_NE(to_yaml(random_scene(kSeed, 3).scene), to_yaml(random_scene(kSeed + 1, 3).scene));
+}
+
+TEST(RandomScene, DrawsSlowImpactsToo) {
+  EXPECT_EQ(to_yaml(random_slow_scene(kSeed, 3).scene), to_yaml(random_slow_scene(kSeed, 3).scene));
+  for (int number = 0; number < 10; ++number) {
+    const Scene scene = random_slow_scene(kSeed, number).scene;
+    EXPECT_EQ(kind_of(scene), "potential wall");
+    EXPECT_EQ(scene.material.eta, 0.0);
+    EXPECT_LE(scene.impact.velocity, 0.006 * std::sqrt(scene.material.k_a));
+    EXPECT_EQ(compose(scene).resolution.integrator, IntegratorKind::kReduced);
+  }
 }
 
 TEST(RandomScene, TakesTheKindsInTurn) {

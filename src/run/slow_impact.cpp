@@ -1,0 +1,54 @@
+#include "run/slow_impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "run/expected_time.hpp"
+#include "scene/scene_parameters.hpp"
+
+namespace impact {
+namespace {
+
+constexpr double kFastestWall = 2.0;    // a v over √(k_a/M)
+constexpr double kFastestDisk = 0.006;  // v over √(k_a R²/M)
+constexpr double kMostInContact = 100.0;
+constexpr double kLongestWay = 0.3;  // a v h of the last run
+constexpr double kCoarseningOfReduced = 1.25;
+
+/// The points within reach of the wall when the disk just touches it: on the rim those of a chord,
+/// and those of the segment that it cuts off.
+double points_in_contact(const Scene& scene, double points) {
+  const double v = scene.impact.normal_velocity();
+  const double reach = std::min(1.0, std::log(1.0 / remaining_fraction(scene)) / scene.wall.a + v);
+  const double half_chord = std::sqrt(2.0 * reach);
+  return half_chord * std::sqrt(points / M_PI) * 2.0 +
+         points * half_chord * reach * 4.0 / 3.0 / M_PI;
+}
+
+}  // namespace
+
+bool may_be_reduced(const Scene& scene, Eigen::Index points) {
+  const double speed = scene.impact.normal_velocity() / std::sqrt(scene.material.k_a);
+  return can_be_reduced(scene) && !scene.numerics.are_given() &&
+         scene.wall.a * speed <= kFastestWall && speed <= kFastestDisk &&
+         points_in_contact(scene, static_cast<double>(points)) <= kMostInContact;
+}
+
+Resolution reduced_resolution(const Scene& scene) {
+  const double way = scene.wall.a * scene.impact.normal_velocity();
+  Resolution resolution;
+  resolution.integrator = IntegratorKind::kReduced;
+  resolution.step = kLongestWay / way;
+  resolution.coarsening = kCoarseningOfReduced;
+  return resolution;
+}
+
+std::unique_ptr<ReducedMotion> slow_impact(const Scene& scene, const Composition& composition,
+                                           const Resolution& resolution) {
+  const Bodies& bodies = *composition.bodies;
+  return std::make_unique<ReducedMotion>(
+      composition.field, start_of(composition, resolution), bodies.compliance->of(bodies.disk()),
+      remaining_fraction(scene) * impact_energy(scene, 1.0), resolution.step);
+}
+
+}  // namespace impact

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+
+#include "reduced/reduced_motion.hpp"
+#include "run/compose.hpp"
+#include "run/resolution.hpp"
+#include "scene/scene.hpp"
+
+namespace impact {
+
+/// Whether `auto` tries the method `reduced` first: in a scene that can have it (see
+/// can_be_reduced()), where no step is given, with so many points, if
+///   a v ≤ 2 √(k_a/M), so that the wall stops the disk in more than a period of its slowest
+///     vibration,
+///   v ≤ 0.006 √(k_a R²/M), so that the displacements are small against the point spacing, and
+///   some 100 points at most come into contact, since the work goes with their third power.
+/// The run itself says how much it left out, see left_out(); where that is too much, error control
+/// goes over to another method.
+bool may_be_reduced(const Scene& scene, Eigen::Index points);
+
+/// The last of three runs: a v h = 0.3, or less where numerics.error asks for it, see
+/// first_resolution().
+Resolution reduced_resolution(const Scene& scene);
+
+/// The motion of a slow impact that starts so. Points come into contact at an energy of
+/// numerics.error/10⁴ of that of the impact, which thereby appears: so some twenty of them change e
+/// by numerics.error/10³.
+std::unique_ptr<ReducedMotion> slow_impact(const Scene& scene, const Composition& composition,
+                                           const Resolution& resolution);
+
+}  // namespace impact

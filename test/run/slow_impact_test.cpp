@@ -1,0 +1,165 @@
+#include "run/slow_impact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "expect_input_error.hpp"
+#include "run/error_control.hpp"
+#include "run/forecast.hpp"
+
+namespace impact {
+namespace {
+
+Scene slow_scene(double velocity = 1e-3, double error = 1e-4) {
+  Scene scene;
+  scene.disk.recipe.points = 150;
+  scene.impact.velocity = velocity;
+  scene.impact.gap = 0.15;
+  scene.numerics.error = error;
+  return scene;
+}
+
+Scene with(Scene scene, IntegratorKind integrator) {
+  scene.numerics.integrator = integrator;
+  return scene;
+}
+
+struct Answer {
+  IntegratorKind integrator;
+  double step;
+  double estimated_error;
+  Restitution value;
+  Restitution error;
+};
+
+Answer answer_of(const Scene& scene) {
+  const auto composition = compose_shared(scene);
+  ErrorControl control(scene, *composition);
+  control.find_resolution(composition, [] { return false; });
+  return {control.resolution().integrator, control.resolution().step, control.estimated_error(),
+          control.answer().value, control.answer().error};
+}
+
+TEST(SlowImpact, IsTriedByAutoWhereItIsSlow) {
+  EXPECT_TRUE(may_be_reduced(slow_scene(), 150));
+  EXPECT_TRUE(may_be_reduced(slow_scene(1e-8), 150));
+  EXPECT_FALSE(may_be_reduced(slow_scene(0.01), 150));
+  EXPECT_FALSE(may_be_reduced(slow_scene(), 1000000));
+  Scene scene = slow_scene();
+  scene.wall.a = 1e4;
+  EXPECT_FALSE(may_be_reduced(scene, 150));
+  scene = slow_scene();
+  scene.material.eta = 1.0;
+  EXPECT_FALSE(may_be_reduced(scene, 150));
+  scene = slow_scene();
+  scene.numerics.step = 0.01;
+  EXPECT_FALSE(may_be_reduced(scene, 150));
+  EXPECT_EQ(compose(slow_scene()).resolution.integrator, IntegratorKind::kReduced);
+  EXPECT_EQ(compose(with(slow_scene(), IntegratorKind::kVerlet)).resolution.integrator,
+            IntegratorKind::kVerlet);
+}
+
+/// All numbers that a disk alone has, to the errors that are said.
+void expect_agreement(const Answer& slow, const Answer& all) {
+  ASSERT_EQ(slow.integrator, IntegratorKind::kReduced);
+  for (const auto& [name, number] : impact_numbers<Restitution>()) {
+    if (disk_of(name) > 0 || is_of_row(name)) continue;
+    if (std::isnan(slow.value.*number) && std::isnan(all.value.*number)) continue;
+    EXPECT_NEAR(slow.value.*number, all.value.*number,
+                slow.error.*number + all.error.*number + 1e-15)
+        << name;
+  }
+  EXPECT_FALSE(std::isnan(slow.value.restitution));
+}
+
+TEST(SlowImpact, AgreesWithTheMotionOfAllPoints) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    Scene scene = slow_scene();
+    scene.seed = seed;
+    const Answer slow = answer_of(scene);
+    scene.numerics.error = 1e-8;
+    expect_agreement(slow, answer_of(with(scene, IntegratorKind::kBlanesMoan)));
+    EXPECT_LT(slow.estimated_error, 1e-5);
+  }
+}
+
+TEST(SlowImpact, OfAnObliqueThrowKnowsItsErrorsToo) {
+  Scene scene = slow_scene();
+  scene.impact.angle = 30.0;
+  const Answer slow = answer_of(scene);
+  scene.numerics.error = 1e-8;
+  const Answer all = answer_of(with(scene, IntegratorKind::kBlanesMoan));
+  expect_agreement(slow, all);
+  EXPECT_FALSE(std::isnan(all.value.tangential_restitution));
+}
+
+/// Four orders of magnitude in speed: the same number of steps.
+TEST(SlowImpact, CostsTheSameAtAnySpeed) {
+  Scene scene = slow_scene(1e-4);
+  scene.impact.gap.reset();
+  const Answer slow = answer_of(scene);
+  scene.impact.velocity = 1e-8;
+  const Answer slower = answer_of(scene);
+  EXPECT_EQ(slow.integrator, IntegratorKind::kReduced);
+  EXPECT_EQ(slower.integrator, IntegratorKind::kReduced);
+  EXPECT_NEAR(slower.step / slow.step, 1e4, 1.0);
+  EXPECT_NEAR(slower.value.restitution, slow.value.restitution, 1e-5);
+  EXPECT_LT(forecast(slow_scene(1e-8)).seconds, 0.1);
+  EXPECT_GT(forecast(with(slow_scene(1e-8), IntegratorKind::kVerlet)).seconds, 100.0);
+}
+
+/// No e above 1 at an error that allows little: points that come into contact bring no energy.
+TEST(SlowImpact, GainsNoEnergyFromPointsThatComeIntoReach) {
+  Scene scene = slow_scene(2e-3, 1e-2);
+  scene.disk.recipe.points = 1500;
+  impact::Run run(scene, compose_shared(scene));
+  const double before = run.system().kinetic_energy();
+  while (!run.finished()) run.advance();
+  EXPECT_LT(run.system().kinetic_energy() / before, 1.0 + 1e-2 * 1e-2);
+}
+
+/// Then `auto` goes on with all points, and `reduced` says what is in the way.
+TEST(SlowImpact, GivesWayWhereItLeavesOutTooMuch) {
+  const Scene scene = slow_scene(3e-3, 1e-9);
+  ASSERT_TRUE(may_be_reduced(scene, 150));
+  const Answer answer = answer_of(scene);
+  EXPECT_NE(answer.integrator, IntegratorKind::kReduced);
+  EXPECT_LE(answer.estimated_error, 1e-9);
+  try {
+    answer_of(with(scene, IntegratorKind::kReduced));
+    FAIL() << "1e-9 was kept";
+  } catch (const RunFailure& failure) {
+    EXPECT_EQ(std::string(failure.what())
+                  .find("numerics.error: 1e-09 cannot be kept by reduced: what it leaves out may "
+                        "change the answer by "),
+              0U)
+        << failure.what();
+  }
+}
+
+TEST(SlowImpact, TakesAGivenStepOfHalfTheRangeOfTheWall) {
+  Scene scene = with(slow_scene(), IntegratorKind::kReduced);
+  scene.numerics.step = 1.6;
+  EXPECT_EQ(compose(scene).resolution.step, 1.6);
+  scene.numerics.step = 1.7;
+  EXPECT_INPUT_ERROR(compose(scene), "numerics.step: got 1.7, allowed: at most 1.667 R/c");
+}
+
+/// Its energy is where it should be, and the run ends as others do.
+TEST(SlowImpact, IsARunAsOthersAre) {
+  const Scene scene = with(slow_scene(), IntegratorKind::kReduced);
+  impact::Run run(scene, compose_shared(scene));
+  while (!run.finished()) run.advance();
+  EXPECT_TRUE(run.flags().empty());
+  EXPECT_LT(run.energy_error(), 2e-3);
+  EXPECT_GT(run.system().model_error().restitution, 0.0);
+  EXPECT_EQ(run.integrator(), IntegratorKind::kReduced);
+  const EnergyLedger ledger = run.system().ledger();
+  EXPECT_NEAR(ledger.kinetic(), 0.5e-6, 1e-11);
+  EXPECT_LT(ledger.bonds + ledger.wall, 1e-12);
+}
+
+}  // namespace
+}  // namespace impact
