@@ -41,8 +41,8 @@ class DiskContacts : public ForceTerm, public Contact {
 
  private:
   struct Pair {
-    std::size_t first;
-    std::size_t second;
+    std::size_t first = 0;
+    std::size_t second = 0;
     DiskContact contact;
   };
   template <class Of>

@@ -9,7 +9,7 @@
 namespace impact {
 namespace {
 
-constexpr double kMargin = 5.0;
+constexpr double kMarginOfManyPoints = 5.0;
 constexpr double kMarginOfFewPoints = 15.0;
 constexpr Eigen::Index kFewPoints = 100;
 constexpr double kMarginOfOthers = 10.0;
@@ -109,7 +109,8 @@ ModelError left_out(const SlowImpact& impact) {
   const double beyond = std::abs(strained(at_peak, impact.field, peak).beyond);
   const double others =
       (beyond + kinetic_energy(at_peak, impact)) / energy + std::sqrt(vibrations / energy);
-  const double margin = at_peak.arm().rows() < kFewPoints ? kMarginOfFewPoints : kMargin;
+  const double margin =
+      at_peak.arm().rows() < kFewPoints ? kMarginOfFewPoints : kMarginOfManyPoints;
   return {margin * (by_spin + vibrations / twice_left), margin * spin, kMarginOfOthers * others};
 }
 

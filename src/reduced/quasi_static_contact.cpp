@@ -7,7 +7,7 @@
 namespace impact {
 namespace {
 
-constexpr int kMostIterations = 100;
+constexpr int kMostNewtonSteps = 100;
 /// Of a change of the heights, in ranges of the wall. Newton's method squares it.
 constexpr double kConverged = 1e-7;
 
@@ -71,7 +71,7 @@ void QuasiStaticContact::guess() {
 
 void QuasiStaticContact::balance() {
   int iterations = 0;
-  while (improve() > kConverged && ++iterations < kMostIterations) {
+  while (improve() > kConverged && ++iterations < kMostNewtonSteps) {
   }
   update_forces();
   lift_[0].noalias() = a_ * force_;

@@ -12,7 +12,7 @@ namespace {
 constexpr double kFastestWall = 2.0;    // a v over √(k_a/M)
 constexpr double kFastestDisk = 0.006;  // v over √(k_a R²/M)
 constexpr double kMostInContact = 100.0;
-constexpr double kLongestWay = 0.3;  // a v h of the last run
+constexpr double kLongestWayOfReduced = 0.3;  // a v h of the last run
 constexpr double kCoarseningOfReduced = 1.25;
 
 /// The points within reach of the wall when the disk just touches it: on the rim those of a chord,
@@ -38,7 +38,7 @@ Resolution reduced_resolution(const Scene& scene) {
   const double way = scene.wall.a * scene.impact.normal_velocity();
   Resolution resolution;
   resolution.integrator = IntegratorKind::kReduced;
-  resolution.step = kLongestWay / way;
+  resolution.step = kLongestWayOfReduced / way;
   resolution.coarsening = kCoarseningOfReduced;
   return resolution;
 }

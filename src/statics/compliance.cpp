@@ -30,10 +30,14 @@ PointCompliance Compliance::among(const std::vector<std::int32_t>& points) {
   const auto size = static_cast<Eigen::Index>(points.size());
   PointCompliance compliance{Eigen::MatrixXd(size, size), Eigen::MatrixXd(size, size),
                              Eigen::MatrixXd(size, size)};
+  const auto place_of = [&](Eigen::Index index) {
+    const std::int32_t point = points[static_cast<std::size_t>(index)];
+    return static_cast<std::size_t>(place_[static_cast<std::size_t>(point)]);
+  };
   for (Eigen::Index i = 0; i < size; ++i) {
     for (Eigen::Index j = 0; j < size; ++j) {
-      const auto row = static_cast<std::size_t>(place_[static_cast<std::size_t>(points[i])]);
-      const auto column = static_cast<std::size_t>(place_[static_cast<std::size_t>(points[j])]);
+      const std::size_t row = place_of(i);
+      const std::size_t column = place_of(j);
       const bool is_kept = column <= row;
       const auto& block = is_kept ? blocks_[row][column] : blocks_[column][row];
       compliance.xx(i, j) = block[0];

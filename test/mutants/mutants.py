@@ -67,8 +67,12 @@ class Checkout:
 
     def copy(self):
         """Files that are as they were keep their time, so that little is built again."""
-        names = subprocess.check_output(['git', 'ls-files', '-z'], cwd=str(ROOT)).decode()
-        for name in filter(None, names.split('\0')):
+        known = subprocess.check_output(['git', 'ls-files', '-z'], cwd=str(ROOT)).decode()
+        names = set(filter(None, known.split('\0')))
+        for source in self.source.glob('src/*/*'):
+            if str(source.relative_to(self.source)) not in names:
+                source.unlink()
+        for name in names:
             original, copied = ROOT / name, self.source / name
             if not copied.exists() or copied.read_bytes() != original.read_bytes():
                 copied.parent.mkdir(parents=True, exist_ok=True)
