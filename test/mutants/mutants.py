@@ -70,7 +70,7 @@ class Checkout:
         known = subprocess.check_output(['git', 'ls-files', '-z'], cwd=str(ROOT)).decode()
         names = set(filter(None, known.split('\0')))
         for source in self.source.glob('src/*/*'):
-            if str(source.relative_to(self.source)) not in names:
+            if source.is_file() and str(source.relative_to(self.source)) not in names:
                 source.unlink()
         for name in names:
             original, copied = ROOT / name, self.source / name
