@@ -9,6 +9,7 @@
 #include <string>
 
 #include "measure/contact_time.hpp"
+#include "mechanics/state.hpp"
 #include "scene/scene.hpp"
 
 namespace impact {
