@@ -16,10 +16,7 @@ constexpr const char* kStatus = "run_status";
 constexpr const char* kLattice = "lattice";
 constexpr const char* kScalars = "scalars";
 
-bool is_lattice(const std::string& topic) {
-  constexpr std::size_t kLength = 7;  // of the word
-  return topic.size() >= kLength && topic.compare(topic.size() - kLength, kLength, kLattice) == 0;
-}
+bool is_lattice(const std::string& topic) { return topic.substr(topic.rfind('/') + 1) == kLattice; }
 
 }  // namespace
 

@@ -93,19 +93,19 @@ void check_bag(const ReplayNodeParameters& parameters) {
 
 ReplayNode::ReplayNode(const ReplayNodeParameters& parameters)
     : parameters_(parameters),
+      prefix_(prefix_of(parameters.recorded_in)),
       readers_(node_, parameters.wait_for),
       others_(node_, {}),
       pacing_(node_, parameters.acknowledged_by) {
   open(parameters, bag_);
-  const std::string prefix = prefix_of(parameters.recorded_in);
-  view_.addQuery(bag_, [prefix](const rosbag::ConnectionInfo* connection) {
-    return is_data(*connection) && is_below(prefix, connection->topic);
+  view_.addQuery(bag_, [this](const rosbag::ConnectionInfo* connection) {
+    return is_data(*connection) && is_below(prefix_, connection->topic);
   });
   for (const rosbag::ConnectionInfo* connection : view_.getConnections()) advertise(*connection);
 }
 
 std::string ReplayNode::topic_of(const std::string& recorded) const {
-  return recorded.substr(prefix_of(parameters_.recorded_in).size() + 1);
+  return recorded.substr(prefix_.size() + 1);
 }
 
 void ReplayNode::advertise(const rosbag::ConnectionInfo& connection) {

@@ -41,6 +41,7 @@ class ReplayNode {
   bool readers_are_there() const;
 
   ReplayNodeParameters parameters_;
+  std::string prefix_;  ///< of the topics in the bag, without the slash behind it
   ros::NodeHandle node_;
   rosbag::Bag bag_;
   rosbag::View view_;

@@ -13,8 +13,8 @@ struct SlowImpact {
   const QuasiStaticContact& contact;
   const ForceField& field;
   const std::vector<Pose>& poses;     ///< at all steps
-  const std::vector<double>& spins;   ///< ω at the same, c/R
-  const std::vector<double>& forces;  ///< of the wall at the same, M c²/R
+  const std::vector<double>& spins;   ///< ω half a step before each, c/R
+  const std::vector<double>& forces;  ///< of the wall at each, M c²/R
   double step;                        ///< R/c
   double inertia;                     ///< I, M R²
   double speed_before;                ///< v along y, c

@@ -50,8 +50,8 @@ class ReducedMotion : public System {
   double speed_before_;  ///< along y, c
   QuasiStaticContact contact_;
   std::vector<Pose> poses_;     ///< at all steps
-  std::vector<double> spins_;   ///< half a step before, c/R
-  std::vector<double> forces_;  ///< at the same, M c²/R
+  std::vector<double> spins_;   ///< half a step before each, c/R
+  std::vector<double> forces_;  ///< at each, M c²/R
   mutable bool is_current_ = true;
 };
 

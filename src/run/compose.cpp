@@ -190,8 +190,7 @@ Composition compose_on_wall(const Scene& scene, std::shared_ptr<const Bodies> bo
   }
 
   const double gap = initial.position.col(1).head(points).minCoeff();
-  const bool is_slow = scene.numerics.integrator == IntegratorKind::kAuto &&
-                       may_be_reduced(scene, points) && !has_flag(bodies->flags, Flag::kFloppy);
+  const bool is_slow = may_be_reduced(scene, points) && !has_flag(bodies->flags, Flag::kFloppy);
   const Rates rates_of_scene = rates(scene, spectrum, wall, static_cast<int>(points), sound_speed);
   return {std::move(bodies),
           std::move(field),

@@ -78,7 +78,6 @@ ErrorControl::ErrorControl(Scene scene, const Composition& composition)
     : scene_(std::move(scene)),
       rates_(composition.rates),
       expected_time_(composition.expected_time),
-      points_(composition.initial.position.rows()),
       resolution_(composition.resolution),
       most_steps_(std::max(kMostSteps, kMostRefinement * expected_time_ / resolution_.step)) {
   if (is_controlled()) plan(resolution_);

@@ -142,7 +142,6 @@ class ErrorControl {
   Scene scene_;
   Rates rates_;
   double expected_time_;
-  Eigen::Index points_;
   Resolution resolution_;
   double most_steps_;
   std::vector<Resolution> planned_;  ///< after the present one, the next one last

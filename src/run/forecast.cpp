@@ -85,9 +85,8 @@ Work work_of(const Scene& scene, const Rates& rates, Eigen::Index points, double
   const Resolution resolution =
       scene.numerics.step
           ? Resolution{with_given_step(integrator), dividing_resets(scene, *scene.numerics.step)}
-      : integrator == IntegratorKind::kAuto && may_be_reduced(scene, points)
-          ? reduced_resolution(scene)
-          : first_resolution(scene, rates);
+      : may_be_reduced(scene, points) ? reduced_resolution(scene)
+                                      : first_resolution(scene, rates);
   double cost = cost_of_step(scene, resolution.integrator);
   if (is_adaptive(integrator)) {
     cost += kCostOfRadian * resolution.step * rate_of_wall_force(scene);

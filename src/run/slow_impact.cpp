@@ -29,8 +29,9 @@ double points_in_contact(const Scene& scene, double points) {
 
 bool may_be_reduced(const Scene& scene, Eigen::Index points) {
   const double speed = scene.impact.normal_velocity() / std::sqrt(scene.material.k_a);
-  return can_be_reduced(scene) && !scene.numerics.are_given() &&
-         scene.wall.a * speed <= kFastestWall && speed <= kFastestDisk &&
+  return scene.numerics.integrator == IntegratorKind::kAuto && can_be_reduced(scene) &&
+         !scene.numerics.are_given() && scene.wall.a * speed <= kFastestWall &&
+         speed <= kFastestDisk &&
          points_in_contact(scene, static_cast<double>(points)) <= kMostInContact;
 }
 
