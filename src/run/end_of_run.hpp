@@ -26,7 +26,7 @@ class EndOfRun {
 };
 
 /// The disk has left what it met for good: the contact has held more than the negligible energy of
-/// expected_time.hpp, and from now on its energy cannot exceed numerics.error/10⁴ of that of the
+/// expected_time.hpp, and from now on its energy cannot exceed remaining_fraction() of that of the
 /// centre of mass, which moves away (see FreeFlight). Looked at every 16 steps.
 class SeparationEnd : public EndOfRun {
  public:

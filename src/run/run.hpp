@@ -119,7 +119,7 @@ class Run {
 
   /// Relative error of e, at the end of a collision, for what the wall's potential holds at the
   /// start, U₀ (unless impact.gap is given), and may hold after the end, at most
-  /// numerics.error/10⁴ of M v′²/2 (FreeFlight::energy_bound()): their sum over M v′², v′ the
+  /// remaining_fraction() of M v′²/2 (FreeFlight::energy_bound()): their sum over M v′², v′ the
   /// velocity of the centre of mass along y after the impact.
   double tail_error() const;
 

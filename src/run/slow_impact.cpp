@@ -15,11 +15,14 @@ constexpr double kMostInContact = 100.0;
 constexpr double kLongestWayOfReduced = 0.3;  // a v h of the last run
 constexpr double kCoarseningOfReduced = 1.25;
 
+/// The fraction of the impact's energy below which what a point holds counts as out of reach.
+double out_of_reach(const Scene& scene) { return 1e-4 * scene.numerics.error; }
+
 /// The points within reach of the wall when the disk just touches it: on the rim those of a chord,
 /// and those of the segment that it cuts off.
 double points_in_contact(const Scene& scene, double points) {
   const double v = scene.impact.normal_velocity();
-  const double reach = std::min(1.0, std::log(1.0 / remaining_fraction(scene)) / scene.wall.a + v);
+  const double reach = std::min(1.0, std::log(1.0 / out_of_reach(scene)) / scene.wall.a + v);
   const double half_chord = std::sqrt(2.0 * reach);
   return half_chord * std::sqrt(points / M_PI) * 2.0 +
          points * half_chord * reach * 4.0 / 3.0 / M_PI;
@@ -49,7 +52,7 @@ std::unique_ptr<ReducedMotion> slow_impact(const Scene& scene, const Composition
   const Bodies& bodies = *composition.bodies;
   return std::make_unique<ReducedMotion>(
       composition.field, start_of(composition, resolution), bodies.compliance->of(bodies.disk()),
-      remaining_fraction(scene) * impact_energy(scene, 1.0), resolution.step);
+      out_of_reach(scene) * impact_energy(scene, 1.0), resolution.step);
 }
 
 }  // namespace impact

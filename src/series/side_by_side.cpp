@@ -88,8 +88,12 @@ bool are_for_lanes(const Composition& composition) {
 }
 
 /// About how many steps a run of the scene takes.
-double expected_steps(const Composition& composition) {
-  return composition.expected_time / composition.resolution.step;
+double expected_steps(const Composition& composition, const Resolution& resolution) {
+  return composition.expected_time / resolution.step;
+}
+
+double expected_steps(const LaneRun& run) {
+  return expected_steps(*run.candidate->composition, run.resolution);
 }
 
 class SideBySide {
@@ -195,10 +199,11 @@ class SideBySide {
     double all = 0.0;
     double longest = 0.0;
     for (const Candidate* const candidate : candidates) {
-      const double steps = expected_steps(*candidate->composition);
+      const Composition& composition = *candidate->composition;
+      const double steps = expected_steps(composition, composition.resolution);
       const double runs = scenes_[candidate->place].numerics.are_given()
                               ? 1.0
-                              : steps_of_all_runs(candidate->composition->resolution);
+                              : steps_of_all_runs(composition.resolution);
       all += runs * steps;
       longest = std::max(longest, steps);
     }
@@ -228,6 +233,7 @@ class SideBySide {
 
   bool run_in_lanes(const std::vector<Candidate*>& candidates) {
     for (Candidate* const candidate : candidates) start(*candidate);
+    for (auto& [key, queue] : waiting_) put_longest_first(queue);
     while (!waiting_.empty()) {
       const auto most = std::max_element(
           waiting_.begin(), waiting_.end(),
@@ -235,6 +241,13 @@ class SideBySide {
       if (!advance(most->first)) return false;
     }
     return true;
+  }
+
+  /// So that no long run is left over when the other lanes have nothing to do.
+  static void put_longest_first(std::deque<LaneRun*>& queue) {
+    std::stable_sort(queue.begin(), queue.end(), [](const LaneRun* a, const LaneRun* b) {
+      return expected_steps(*a) > expected_steps(*b);
+    });
   }
 
   /// Starts the first run, and those after it as far as they are sure to be needed.
@@ -354,7 +367,14 @@ class SideBySide {
       } else {
         wait(lane_run);
       }
-    } else if (!candidate.failure.empty() || candidate.study->finished()) {
+    } else if (candidate.study) {  // not concluded by another run that ended at this step
+      send_on(candidate, lane_run);
+    }
+  }
+
+  /// Of a run that the study has asked for.
+  void send_on(Candidate& candidate, LaneRun& lane_run) {
+    if (!candidate.failure.empty() || candidate.study->finished()) {
       cancel(candidate);
       conclude(candidate);
     } else if (candidate.present == &lane_run) {
