@@ -211,7 +211,7 @@ double bound_above_rising_wall(double part) {
   return energy_bound(scene, composition, state);
 }
 
-TEST(FreeFlight, GoesOnUntilAFreeWallIsSlower) {
+TEST(FreeFlight, CountsHowFastAFreeWallRises) {
   EXPECT_LE(bound_above_rising_wall(0.0), 1e-4);
   EXPECT_LE(bound_above_rising_wall(0.1), 1e-4);
   EXPECT_EQ(bound_above_rising_wall(1.1), kInfinity);
