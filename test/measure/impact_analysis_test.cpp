@@ -17,6 +17,11 @@ State square_with_velocity(double vx, double vy, double spin) {
   return state;
 }
 
+State lowered(State state, double way) {
+  state.position.col(1) -= way;
+  return state;
+}
+
 /// A triangular pulse of height 2 and base 2 about t = 2.
 double force(double time) { return std::max(0.0, 2.0 - 2.0 * std::abs(time - 2.0)); }
 
@@ -76,8 +81,10 @@ TEST(ImpactAnalysis, MeasuresAnObliqueImpact) {
 /// and the opposite, spins −0.5 and 0.25. The second one is touched 1 above its middle.
 TEST(ImpactAnalysis, CountsBothOfTwoDisks) {
   ImpactAnalysis analysis;
-  analysis.add(square_with_velocity(1.5, -1.0, 1.0), {square_with_velocity(-1.5, 1.0, 0.0)});
-  analysis.add(square_with_velocity(0.5, 0.5, -0.5), {square_with_velocity(-0.5, -0.5, 0.25)});
+  analysis.add(square_with_velocity(1.5, -1.0, 1.0),
+               {lowered(square_with_velocity(-1.5, 1.0, 0.0), 2.0)});
+  analysis.add(square_with_velocity(0.5, 0.5, -0.5),
+               {lowered(square_with_velocity(-0.5, -0.5, 0.25), 2.0)});
   const Restitution result = analysis.restitution(true);
   EXPECT_EQ(result.restitution, 0.5);
   EXPECT_DOUBLE_EQ(result.energy_before, 4.25);

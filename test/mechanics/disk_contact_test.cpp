@@ -191,26 +191,46 @@ TEST(DiskContact, HasNoHopsOnConvexOutlines) {
   EXPECT_EQ(contact.turned(), 0.0);
 }
 
+/// A triangle with its tip at x, y over a square with a dent in its top: the corner of the dent is
+/// at the origin, its sides have the slopes 0.3 and −0.3.
+PointArray tip_over_dent(double x, double y) {
+  PointArray position(8, 2);
+  position << -0.1, 0.7, 0.1, 0.7, x, y, -1.0, -1.0, 1.0, -1.0, 1.0, 0.3, 0.0, 0.0, -1.0, 0.3;
+  return position;
+}
+const Rows kTriangle{0, 1, 2, 0};
+const Rows kDentedSquare{3, 7, 6, 5, 4, 3};
+
+/// The nearest place of the square is the corner, which lies in the triangle. From its side it is
+/// as far as the sine of half of the angle at the tip says, and the cosine is how far from the tip.
+TEST(DiskContact, IsInsideUnderADent) {
+  constexpr double kDeep = 0.05;
+  const PointArray position = tip_over_dent(0.0, -kDeep);
+  DiskContact contact(kRepulsion, kReach, kTriangle, kDentedSquare, position);
+  const double side = std::hypot(0.1, 0.7 + kDeep);
+  const double sine = 0.1 / side;
+  const double cosine = (0.7 + kDeep) / side;
+  EXPECT_NEAR(contact.potential_energy(position),
+              kRepulsion.potential_at(-kDeep) + kRepulsion.potential_at(-kDeep * sine), 1e-12);
+  const double of_tip = 1.0 - kDeep * cosine / side;
+  EXPECT_NEAR(forces_of(contact, position)(2, 1),
+              kRepulsion.force_at(-kDeep) + of_tip * sine * kRepulsion.force_at(-kDeep * sine),
+              1e-12);
+}
+
 /// A point in a dent goes to and fro between the two bonds that it touches alike.
 TEST(DiskContact, CountsOnceWhatChattersInADent) {
-  PointArray position(7, 2);                   // a triangle over a square with a dented top
-  position << -0.1, 0.5, 0.1, 0.5, 0.0, 0.12,  // its lowest point over the dent
-      -1.0, -1.0, 1.0, -1.0, 1.0, 0.3, 0.0, 0.0;
-  position.conservativeResize(8, 2);
-  position.row(7) << -1.0, 0.3;
-  const Rows triangle_outline{0, 1, 2, 0};
-  const Rows square_outline{3, 7, 6, 5, 4, 3};
-  position(2, 0) = -0.01;
-  DiskContact contact(kRepulsion, kReach, triangle_outline, square_outline, position);
+  DiskContact contact(kRepulsion, kReach, kTriangle, kDentedSquare, tip_over_dent(-0.01, 0.12));
+  DiskContact exchanged(kRepulsion, kReach, kDentedSquare, kTriangle, tip_over_dent(-0.01, 0.12));
   const auto move_to = [&](double x) {
-    position(2, 0) = x;
-    PointArray force = PointArray::Zero(8, 2);
-    contact.add_forces(position, force);
-    contact.count_hops(position);
+    const PointArray position = tip_over_dent(x, 0.12);
+    for (DiskContact* one : {&contact, &exchanged}) {
+      forces_of(*one, position);
+      one->count_hops(position);
+    }
   };
   move_to(0.01);
   const double once = contact.turned();
-  // The sides of the dent have the slopes 0.3 and −0.3.
   EXPECT_NEAR(once, kRepulsion.potential_at(0.117 / std::sqrt(1.09)) * 2.0 * 0.3 / std::sqrt(1.09),
               1e-12);
   for (int k = 0; k < 5; ++k) {
@@ -218,6 +238,7 @@ TEST(DiskContact, CountsOnceWhatChattersInADent) {
     move_to(0.01);
   }
   EXPECT_EQ(contact.turned(), once);
+  EXPECT_EQ(exchanged.turned(), once);
   EXPECT_EQ(contact.hops_size(), 0.0);
 }
 

@@ -73,5 +73,24 @@ TEST(EnergyLedger, KeepsTheWallApartFromTheDisk) {
   EXPECT_DOUBLE_EQ(ledger.total(), 2.0 + 1.5 + bonds + 0.25);
 }
 
+/// A triangle of 1 M that flies at 1, and a rod of two points, 2/3 M and 2/3 M R², that flies
+/// at 1.5 and spins at 2.
+TEST(EnergyLedger, WeighsOtherFreeBodies) {
+  PointArray rod(2, 2);
+  rod << -1.0, -5.0, 1.0, -5.0;
+  const Lattice both = joined(triangle(), plain_lattice(rod, {{0, 1}}));
+  ForceField field{BondForces(both, {1.0, 0.0, 0.0}), 1.0 / 3.0};
+  field.others = {Body{3, 2, true}};
+  State state;
+  state.position = both.points;
+  state.velocity.resize(5, 2);
+  state.velocity << 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.5 - 2.0, 0.0, -1.5 + 2.0;
+  const EnergyLedger ledger = field.ledger(state, {});
+  EXPECT_NEAR(ledger.kinetic_translation, 0.5 + 0.5 * 2.0 / 3.0 * 1.5 * 1.5, 1e-14);
+  EXPECT_NEAR(ledger.kinetic_rotation, 0.5 * 2.0 / 3.0 * 2.0 * 2.0, 1e-14);
+  EXPECT_NEAR(ledger.kinetic_internal, 0.0, 1e-14);
+  EXPECT_EQ(ledger.wall_lattice, 0.0);
+}
+
 }  // namespace
 }  // namespace impact

@@ -104,6 +104,16 @@ TEST(SnapshotAssembly, GivesNothingThatDoesNotFit) {
   EXPECT_FALSE(assembly.take());
 }
 
+/// The next run's status comes before its lattice.
+TEST(SnapshotAssembly, GivesNoStateWithTheStatusOfAnotherRun) {
+  SnapshotAssembly assembly = begun(0);
+  add_state(assembly, 0, 0);
+  assembly.add(status(1));
+  EXPECT_FALSE(assembly.take());
+  assembly.add(status(0));
+  EXPECT_TRUE(assembly.take());
+}
+
 TEST(SnapshotAssembly, WaitsForAllBodies) {
   SnapshotAssembly assembly = begun(0);
   assembly.add(status(0, 3));

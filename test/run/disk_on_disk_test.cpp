@@ -9,6 +9,7 @@
 #include "lattice/lammps_data.hpp"
 #include "mechanics/body_motion.hpp"
 #include "mechanics/simulation.hpp"
+#include "run/compose.hpp"
 #include "run/row_of_disks.hpp"
 #include "run/run.hpp"
 
@@ -190,6 +191,19 @@ TEST(DiskOnDisk, TouchesAtTheTopAlsoObliquely) {
   while (run.system().time() < way / scene.impact.normal_velocity() - 0.5 * 0.02) run.advance();
   // In an output period they slide by 9·10⁻⁴ R; what the repulsion has slowed down is as little.
   EXPECT_NEAR(offset(), 0.0, 2e-3);
+}
+
+/// It has flown longer along the same line.
+TEST(DiskOnDisk, StartsHigherOnTheWayToTheSameTouch) {
+  Scene scene = pair_of_disks(0.05);
+  scene.impact.angle = 60.0;
+  const Composition composition = compose(scene);
+  Resolution higher = composition.resolution;
+  higher.lift = 0.3;
+  const Eigen::Array2d lifted =
+      start_of(composition, higher).position.row(0) - composition.initial.position.row(0);
+  EXPECT_NEAR(lifted.y(), 0.3, 1e-15);
+  EXPECT_NEAR(lifted.x(), -0.3 * std::tan(M_PI / 3.0), 1e-14);
 }
 
 /// The run ends when the disks cannot meet again: followed for long after, they do not.

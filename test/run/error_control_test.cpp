@@ -417,37 +417,61 @@ TEST(ErrorControl, SeesThatTheStepOfARunWasReduced) {
   EXPECT_TRUE(control.later_resolutions().empty());
 }
 
-/// The wall's energy U at the end becomes motion: v″² = v′² + 2U. Runs at their start stand for
-/// those at their end.
+/// What the contact holds at the end becomes motion. Runs at their start stand for those at their
+/// end.
+struct EndedEarly {
+  explicit EndedEarly(const Scene& scene) {
+    const auto composition = compose_shared(scene);
+    ErrorControl control(scene, *composition);
+    Restitution measured;
+    measured.velocity_before = -0.05;
+    measured.tangential_velocity_before = 0.0;
+    measured.spin_before = 0.0;
+    measured.moment_of_inertia = 0.5;
+    measured.energy_before = 0.5 * 0.05 * 0.05;
+    measured.velocity_after = 0.04;
+    measured.energy_restitution = 0.85;
+    measured.impulse = 0.09;
+    for (bool accepted = false; !accepted;) {
+      const impact::Run run(scene, composition, control.resolution());
+      energy = run.system().field().wall_potential_energy(run.state().position);
+      accepted = control.accepts(run, measured);
+    }
+    answer = control.answer().value;
+  }
+
+  Restitution answer;
+  double energy = 0.0;
+};
+
+/// v″² = v′² + 2U.
 TEST(ErrorControl, CountsWhatTheWallStillHoldsAsVelocity) {
   Scene scene = scene_with(1e-2);
   scene.impact.gap = 0.0537;
-  const auto composition = compose_shared(scene);
-  ErrorControl control(scene, *composition);
-  Restitution measured;
-  measured.velocity_before = -0.05;
-  measured.tangential_velocity_before = 0.0;
-  measured.spin_before = 0.0;
-  measured.moment_of_inertia = 0.5;
-  measured.energy_before = 0.5 * 0.05 * 0.05;
-  measured.velocity_after = 0.04;
-  measured.energy_restitution = 0.85;
-  measured.impulse = 0.09;
-  double energy = 0.0;
-  for (bool accepted = false; !accepted;) {
-    const impact::Run run(scene, composition, control.resolution());
-    energy = run.system().ledger().wall;
-    accepted = control.accepts(run, measured);
-  }
+  const auto [answer, energy] = EndedEarly(scene);
   ASSERT_GT(energy, 3e-4 * 0.04 * 0.04);
   const double after = std::sqrt(0.04 * 0.04 + 2.0 * energy);
-  const Restitution& answer = control.answer().value;
   // To the first order of U/v′², the square of which is below 10⁻⁶.
   EXPECT_NEAR(answer.velocity_after, after, 1e-6 * after);
   EXPECT_NEAR(answer.restitution, after / 0.05, 1e-6);
   EXPECT_NEAR(answer.impulse, 0.05 + after, 1e-6 * after);
   EXPECT_NEAR(std::pow(answer.energy_restitution, 2), 0.85 * 0.85 + 2.0 * energy / (0.05 * 0.05),
               1e-12);
+}
+
+/// Of U a disk of 1 M gets the part that the mass m of the other one is of both, μ = m/(1 + m):
+/// v″² = v′² + 2μU.
+TEST(ErrorControl, SharesWhatDisksStillHold) {
+  Scene scene = scene_with(1e-2);
+  scene.impact.gap = 0.0498;
+  scene.wall.kind = WallKind::kDisk;
+  scene.wall.radius = 2.0;
+  const auto [answer, energy] = EndedEarly(scene);
+  ASSERT_GT(energy, 3e-4 * 0.04 * 0.04);
+  ASSERT_LT(energy, 1e-3 * 0.04 * 0.04);
+  const double after = std::sqrt(0.04 * 0.04 + 2.0 * 0.8 * energy);
+  EXPECT_NEAR(answer.velocity_after, after, 1e-6 * after);
+  EXPECT_NEAR(answer.impulse, 0.05 + after, 1e-6 * after);
 }
 
 /// Along y the gap is continuous, and no energy hops; but the force turns.

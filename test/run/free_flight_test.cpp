@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <utility>
 
+#include "lattice/lammps_data.hpp"
+#include "mechanics/simulation.hpp"
 #include "run/compose.hpp"
 
 namespace impact {
@@ -186,6 +189,63 @@ TEST(InnerBounds, DoNotHoldWhenOneBondCouldFold) {
   const auto energy = [&](double share) { return 0.5 * std::pow(share * spacing, 2) / 1.1; };
   EXPECT_TRUE(flight.bounds({energy(0.3), 0.0}).hold);
   EXPECT_FALSE(flight.bounds({energy(0.35), 0.0}).hold);
+}
+
+/// Of a scene in this state.
+double energy_bound(const Scene& scene, const Composition& composition, const State& state) {
+  const Simulation system(composition.field, state, composition.rates.lattice, 1e-3);
+  return FreeFlight(scene, composition.bodies).energy_bound(system, 1e-4);
+}
+
+/// A disk 5 R above a wall that rises as a whole, with this part of the disk's velocity.
+double bound_above_rising_wall(double part) {
+  Scene scene = small_scene();
+  scene.wall.kind = WallKind::kLattice;
+  scene.wall.points = 100;
+  const Composition composition = compose(scene);
+  const Body disk = composition.field.first_body();
+  State state = composition.initial;
+  state.velocity.col(1) = part * 1e-3;
+  disk.rows_of(state.position).col(1) += 5.0;
+  disk.rows_of(state.velocity).col(1) = 1e-3;
+  return energy_bound(scene, composition, state);
+}
+
+TEST(FreeFlight, CountsHowFastAFreeWallRises) {
+  EXPECT_LE(bound_above_rising_wall(0.0), 1e-4);
+  EXPECT_LE(bound_above_rising_wall(0.1), 1e-4);
+  EXPECT_EQ(bound_above_rising_wall(1.1), kInfinity);
+}
+
+/// A triangle over one of its sides turns until a corner is down, while it rises up to the time
+/// V/g: after a turn by the angle φ its lowest point is at 0.53 + κ φ − g φ²/(2 ω²) − cos(π/3 − φ),
+/// κ = V/ω. For κ = 0.9 that rises without gravity, and is −0.08 at the top of a flight that ends
+/// after a turn by 0.8.
+TEST(FreeFlight, ReachesTheWallIfGravityHoldsItDown) {
+  const std::filesystem::path path = testing::TempDir() + "free_flight_test.data";
+  PointArray corners(3, 2);
+  corners << std::sqrt(0.75), -0.5, 0.0, 1.0, -std::sqrt(0.75), -0.5;
+  write_lammps_data(make_lattice(corners, {{0, 1}, {1, 2}, {0, 2}}), 1.0 / 3.0, path);
+  constexpr double kVelocity = 1e-4;
+  constexpr double kSpin = kVelocity / 0.9;
+  Scene scene;
+  scene.disk.file = path.string();
+  scene.wall.a = 3000.0;
+  for (const double gravity : {0.0, kVelocity * kSpin / 0.8}) {
+    scene.gravity = gravity;
+    const Composition composition = compose(scene);
+    State state = composition.initial;
+    state.position = corners;
+    state.position.col(1) += 0.53;
+    state.velocity.col(0) = -kSpin * corners.col(1);
+    state.velocity.col(1) = kVelocity + kSpin * corners.col(0);
+    const double bound = energy_bound(scene, composition, state);
+    if (gravity == 0.0) {
+      EXPECT_LE(bound, 1e-4);
+    } else {
+      EXPECT_EQ(bound, kInfinity);
+    }
+  }
 }
 
 }  // namespace

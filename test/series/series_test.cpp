@@ -334,6 +334,20 @@ TEST_F(RunSeries, InLanesWritesTheSameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(without_wall_time(content(path_)), without_wall_time(of_one));
 }
 
+/// Three impacts do not fill the lanes, and yet those of the next disk do not join them.
+TEST_F(RunSeries, KeepsDisksApartInLanes) {
+  const auto rows = run(scenes("{scene: collision, disk: {points: 20}, seed: [1, 2], "
+                               "impact: {velocity: [0.03, 0.04, 0.05]}}"),
+                        1);
+  ASSERT_EQ(rows.size(), 6);
+  for (const Row& row : rows) {
+    EXPECT_TRUE(may_be_in_lanes(row.scene));
+    ConvergenceStudy study(row.scene);
+    while (!study.finished()) study.advance();
+    EXPECT_EQ(row.results.at("restitution"), study.impact().value.restitution);
+  }
+}
+
 TEST_F(RunSeries, StopsAtTheFirstSceneThatCannotBeComposed) {
   EXPECT_INPUT_ERROR(
       run(scenes("{scene: collision, disk: {points: 40}, numerics: {step: [auto, 9, 8]}}")),

@@ -20,5 +20,8 @@ TEST(ClosedForm, ByHand) {
   EXPECT_TRUE(std::isnan(closed_form_restitution(1.0, 3.0, 4.0 * std::exp(-4.0))));
 }
 
+/// 2π τ₀ E*/(ρ R c_s) with the density 1/π.
+TEST(PaperD2, ByHand) { EXPECT_NEAR(paper_d2({0.5, 0.1, 0.01}, 2.0), 0.05 * M_PI * M_PI, 1e-15); }
+
 }  // namespace
 }  // namespace impact

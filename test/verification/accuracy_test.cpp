@@ -63,12 +63,13 @@ TEST(EstimateQuality, CountsWhatIsKnownWellEnough) {
       made_up(0.9, 0.01),          // 90 times the estimate
       made_up(0.9, 0.001),         // 900 times
       made_up(0.0, 0.5),           // less than 1/100
-      made_up(0.005, 0.5, 0.004),  // 0.01, give or take 0.008
+      made_up(0.006, 0.5, 0.004),  // 0.012, give or take 0.008
+      made_up(0.9, 0.01, 0.2),     // 90, give or take 20
       refused("no rest"),
   });
   EXPECT_EQ(quality.ratios.size(), 4);
   EXPECT_EQ(quality.within, 2);
-  EXPECT_EQ(quality.unknown, 1);
+  EXPECT_EQ(quality.unknown, 2);
   EXPECT_NEAR(quality.ratios.front(), 0.0, 1e-9);
   EXPECT_NEAR(quality.ratios.back(), 900.0, 1e-6 * 900.0);
 }
