@@ -43,6 +43,12 @@ struct BondEvaluation {
 /// of their lists; without damping 0.
 using BondKernel = double (*)(const BondEvaluation&, std::int64_t first, std::int64_t end);
 
+/// Sums over bonds of the second and the fourth power of their elongations, R² and R⁴.
+struct Elongations {
+  double squared = 0.0;
+  double to_the_fourth = 0.0;
+};
+
 /// Consecutive columns of a Cholesky factor, of about the same structure.
 struct Supernode {
   std::int64_t first;  ///< column
@@ -138,6 +144,9 @@ struct Kernels {
   BondKernel linear_damped;
   BondKernel cubic;
   BondKernel cubic_damped;
+  /// Over all entries of the lists of the slices first … end − 1.
+  Elongations (*elongations)(const BondRows& rows, const double* position_pairs, std::int64_t first,
+                             std::int64_t end);
   /// Puts `size` coordinates x and y side by side.
   void (*pair_up)(const double* x, const double* y, std::int64_t size, double* pairs);
   /// v += factor · f, for `size` numbers.

@@ -143,15 +143,22 @@ void BondForces::evaluate_elastic(const PointArray& position, PointArray& force)
 }
 
 template <class Use>
-void BondForces::for_each_bond(Eigen::Index first, Eigen::Index end, const Use& use) const {
+void BondForces::for_each_end(Eigen::Index first, Eigen::Index end, const Use& use) const {
   for (Eigen::Index i = first; i < end; ++i) {
     const auto slice = static_cast<std::size_t>(i / kSlice);
     for (std::int32_t row = table_->begin[slice]; row < table_->begin[slice + 1]; ++row) {
       const auto place = static_cast<std::size_t>(std::int64_t{row} * kSlice + i % kSlice);
       const std::int32_t j = table_->end[place];
-      if (j > i) use(static_cast<std::int32_t>(i), j, table_->natural_length[place]);
+      if (j != i) use(static_cast<std::int32_t>(i), j, table_->natural_length[place]);
     }
   }
+}
+
+template <class Use>
+void BondForces::for_each_bond(const Use& use) const {
+  for_each_end(0, table_->points, [&](std::int32_t i, std::int32_t j, double natural_length) {
+    if (j > i) use(i, j, natural_length);
+  });
 }
 
 double BondForces::potential_energy(const PointArray& position, Eigen::Index first,
@@ -164,22 +171,45 @@ double BondForces::potential_energy(const PointArray& position, Eigen::Index fir
                                         end - table_->points);
     end = table_->points;
   }
-  double linear = 0.0;
-  double cubic = 0.0;
-  for_each_bond(first, end, [&](std::int32_t i, std::int32_t j, double natural_length) {
+  const Elongations twice = elongations_at(position, first, end);
+  return of_second + law_.k_a * twice.squared / 4.0 + law_.k_b * twice.to_the_fourth / 8.0;
+}
+
+/// Of all bonds of the points first … end − 1, once for each of their ends there.
+Elongations BondForces::elongations_at(const PointArray& position, Eigen::Index first,
+                                       Eigen::Index end) const {
+  Aligned<double> pairs(position_pairs_.size(), 0.0);
+  pair_up(position, pairs);
+  const BondRows rows{table_->begin.data(), table_->end.data(), table_->natural_length.data()};
+  const Eigen::Index first_slice = whole_slices(first);
+  const Eigen::Index end_slice = end == table_->points ? whole_slices(end) : end / kSlice;
+  std::vector<Elongations> parts(static_cast<std::size_t>(parts_of(table_->points)));
+  in_parts(table_->points, [&](Eigen::Index part, Eigen::Index point, Eigen::Index size) {
+    parts[static_cast<std::size_t>(part)] =
+        kernels_->elongations(rows, pairs.data(), std::max(point / kSlice, first_slice),
+                              std::min(whole_slices(point + size), end_slice));
+  });
+  Elongations sum;
+  const auto add = [&](std::int32_t i, std::int32_t j, double natural_length) {
     const double length = (position.row(i) - position.row(j)).matrix().norm();
     const double squared = std::pow(length - natural_length, 2);
-    linear += squared;
-    cubic += squared * squared;
-  });
-  return of_second + law_.k_a * linear / 2.0 + law_.k_b * cubic / 4.0;
+    sum.squared += squared;
+    sum.to_the_fourth += squared * squared;
+  };
+  for_each_end(first, std::min(end, kSlice * first_slice), add);
+  for_each_end(kSlice * std::max(first_slice, end_slice), end, add);
+  for (const Elongations& part : parts) {
+    sum.squared += part.squared;
+    sum.to_the_fourth += part.to_the_fourth;
+  }
+  return sum;
 }
 
 std::vector<Eigen::Triplet<double>> BondForces::stiffness(const PointArray& position) const {
   const auto points = static_cast<std::int32_t>(position.rows());
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(8 * table_->end.size());
-  for_each_bond(0, table_->points, [&](std::int32_t i, std::int32_t j, double natural_length) {
+  for_each_bond([&](std::int32_t i, std::int32_t j, double natural_length) {
     const Eigen::Vector2d offset = (position.row(i) - position.row(j)).matrix().transpose();
     const double length = offset.norm();
     const Eigen::Vector2d normal = offset / length;
@@ -214,7 +244,7 @@ std::vector<Eigen::Triplet<double>> BondForces::stiffness(const PointArray& posi
 std::vector<Eigen::Triplet<double>> BondForces::damping() const {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(2 * table_->end.size());
-  for_each_bond(0, table_->points, [&](std::int32_t i, std::int32_t j, double) {
+  for_each_bond([&](std::int32_t i, std::int32_t j, double) {
     entries.emplace_back(i, i, law_.eta);
     entries.emplace_back(j, j, law_.eta);
     entries.emplace_back(i, j, -law_.eta);

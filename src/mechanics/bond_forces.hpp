@@ -58,7 +58,7 @@ class BondForces {
   double potential_energy(const PointArray& position) const {
     return potential_energy(position, 0, position.rows());
   }
-  /// Of the bonds whose first point lies in the rows first … end − 1.
+  /// Of the bonds of the body that lies in the rows first … end − 1.
   double potential_energy(const PointArray& position, Eigen::Index first, Eigen::Index end) const;
 
   /// The entries of the tangent stiffness matrix −∂f/∂r (M c²/R²), those of one place to be added
@@ -90,9 +90,15 @@ class BondForces {
   };
   static std::shared_ptr<const Table> table_of(const Lattice& lattice);
 
-  /// Calls use(i, j, natural length) for the bonds whose first point lies in these rows.
+  /// Calls use(i, j, natural length) for each bond of each point i in these rows, of the first body
+  /// or those of its law.
   template <class Use>
-  void for_each_bond(Eigen::Index first, Eigen::Index end, const Use& use) const;
+  void for_each_end(Eigen::Index first, Eigen::Index end, const Use& use) const;
+  /// The same for each bond once, i < j.
+  template <class Use>
+  void for_each_bond(const Use& use) const;
+  Elongations elongations_at(const PointArray& position, Eigen::Index first,
+                             Eigen::Index end) const;
   double evaluate(bool damped, const PointArray& position, PointArray& force);
   double evaluate_first(const PointArray& position, const PointArray* velocity, PointArray& force);
   double evaluate_second(const PointArray& position, const PointArray* velocity, PointArray& force);

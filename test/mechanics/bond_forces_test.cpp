@@ -149,6 +149,53 @@ TEST_P(EveryKernel, GivesTheForcesAndThePower) {
   }
 }
 
+/// Two bodies in one lattice.
+Lattice side_by_side(const Lattice& first, const Lattice& second) {
+  Lattice both = first;
+  const Eigen::Index rows = first.points.rows();
+  both.points.conservativeResize(rows + second.points.rows(), 2);
+  both.points.bottomRows(second.points.rows()) = second.points;
+  for (const Bond& bond : second.bonds) {
+    both.bonds.push_back({bond.first + static_cast<std::int32_t>(rows),
+                          bond.second + static_cast<std::int32_t>(rows)});
+  }
+  both.natural_lengths.insert(both.natural_lengths.end(), second.natural_lengths.begin(),
+                              second.natural_lengths.end());
+  return both;
+}
+
+double energy_by_bonds(const Lattice& lattice, const BondLaw& law, const PointArray& position) {
+  double energy = 0.0;
+  for (std::size_t k = 0; k < lattice.bonds.size(); ++k) {
+    const Bond& bond = lattice.bonds[k];
+    const double length = (position.row(bond.first) - position.row(bond.second)).matrix().norm();
+    const double x = length - lattice.natural_lengths[k];
+    energy += law.k_a * x * x / 2.0 + law.k_b * x * x * x * x / 4.0;
+  }
+  return energy;
+}
+
+/// 9, 2 and 49 points: bodies meet within a slice, one lies in a slice with others, and none fills
+/// its last one.
+TEST_P(EveryKernel, GivesTheEnergyOfEachBody) {
+  const std::vector<Lattice> bodies{triangular_patch(3), two_points(), triangular_patch(7)};
+  const Lattice all = side_by_side(side_by_side(bodies[0], bodies[1]), bodies[2]);
+  const BondLaw law{2.0, 5.0, 0.0};
+  const PointArray position = all.points + 0.2 * random_points(60, 1);
+  const BondForces bonds(all, law, *GetParam());
+  constexpr double kRounding = 1e-14;  // of sums of some hundred terms of one sign
+  Eigen::Index first = 0;
+  double sum = 0.0;
+  for (const Lattice& body : bodies) {
+    const Eigen::Index points = body.points.rows();
+    const double energy = energy_by_bonds(body, law, position.middleRows(first, points));
+    EXPECT_NEAR(bonds.potential_energy(position, first, first + points) / energy, 1.0, kRounding);
+    first += points;
+    sum += energy;
+  }
+  EXPECT_NEAR(bonds.potential_energy(position) / sum, 1.0, kRounding);
+}
+
 TEST_P(EveryKernel, KicksAndDrifts) {
   const PointArray f = random_points(7, 1);
   PointArray v = random_points(7, 2);

@@ -68,7 +68,7 @@ TEST(EnergyLedger, KeepsTheWallApartFromTheDisk) {
   const double of_wall = field.bonds.potential_energy(state.position, 3, 6);
   EXPECT_GT(of_wall, 0.004);
   EXPECT_DOUBLE_EQ(ledger.wall_lattice, 1.5 + of_wall);
-  EXPECT_DOUBLE_EQ(ledger.bonds, bonds - of_wall);
+  EXPECT_DOUBLE_EQ(ledger.bonds + of_wall, bonds);
   EXPECT_EQ(ledger.absorbed, 0.25);
   EXPECT_DOUBLE_EQ(ledger.total(), 2.0 + 1.5 + bonds + 0.25);
 }
