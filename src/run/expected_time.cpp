@@ -9,23 +9,10 @@
 namespace impact {
 namespace {
 
-/// Flight, in R/c, before the wall's energy is no longer negligible.
+/// Flight, in R/c, before the wall's energy is no longer negligible. At high speeds it leaves
+/// nothing of that energy at the start, so that even a disk which folds meets the wall in the same
+/// way whatever the wanted error.
 constexpr double kApproach = 0.5;
-/// Where the start does not matter, it need not be further away than this part of that energy: on a
-/// hard wall what the lowest point has missed of it changes e by some times that energy.
-constexpr double kEnergyAtStart = 0.1;
-/// Over the speed of sound: from here on lattices fold.
-constexpr double kMayFold = 0.1;
-
-/// Whether a disk that starts elsewhere makes another motion: it turns, falls or moves along a
-/// wall of points on its way, or may fold, which makes much of the little that the wall does to it
-/// at the start.
-bool start_matters(const Scene& scene) {
-  const bool slides_over_points =
-      scene.impact.angle != 0.0 && scene.wall.kind != WallKind::kPotential;
-  return scene.impact.spin != 0.0 || slides_over_points || scene.gravity != 0.0 ||
-         scene.impact.normal_velocity() > kMayFold * estimated_sound_speed(scene.material.k_a);
-}
 
 /// Rough time until the disk's bouncing on the wall has decayed to the wanted error. The disk is
 /// the spring k_d = dP/dξ ≈ πE/(ln(4πER/P) − 2) of the 2D Hertz contact with Kelvin–Voigt damping
@@ -104,10 +91,7 @@ double on_whole_resets(const Scene& scene, double height) {
 
 double gap_at_start(const Scene& scene, double negligible_height) {
   if (scene.impact.gap) return *scene.impact.gap;
-  double approach = kApproach * scene.impact.normal_velocity();
-  if (!start_matters(scene))
-    approach = std::min(approach, -std::log(kEnergyAtStart) / scene.wall.a);
-  return on_whole_resets(scene, negligible_height + approach);
+  return on_whole_resets(scene, negligible_height + kApproach * scene.impact.normal_velocity());
 }
 
 double expected_time(const Scene& scene, Eigen::Index points, double gap, double gap_in_row) {

@@ -42,11 +42,9 @@ bool has_resets(const Scene& scene);
 /// intervals between resets; where there are none, `height`.
 double on_whole_resets(const Scene& scene, double height);
 
-/// Height of the lowest point at the start of a collision (R): as given or, for `auto`, half
-/// an R/c of flight before the height where the energy of the wall is negligible, but no higher
-/// than for a tenth of that energy, unless the disk turns, slides along points or falls on its way,
-/// or may fold, when the same scene at another error is to be the same motion; and where velocities
-/// are reset a whole number of resets before height 0, so that what the disk meets there does not
+/// Height of the lowest point at the start of a collision (R): as given or, for `auto`, half an R/c
+/// of flight before the height where the energy of the wall is negligible, and where velocities are
+/// reset a whole number of resets before height 0, so that what the disk meets there does not
 /// depend on where it starts.
 double gap_at_start(const Scene& scene, double negligible_height);
 

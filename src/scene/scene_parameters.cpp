@@ -241,8 +241,8 @@ Keys task_keys() {
                real_or_auto<Scene>(
                    "impact.gap", "R", {-1.0, 100.0},
                    "collision: height of the lowest point at the start; "
-                   "auto: half an R/c before the wall's energy is error/100 of the kinetic energy, "
-                   "or nearer where the start does not matter, and a whole number of resets before "
+                   "auto: half an R/c before the wall's "
+                   "energy is error/100 of the kinetic energy, and a whole number of resets before "
                    "height 0",
                    [](auto& s) -> auto& { return s.impact.gap; })),
           only(falls,
