@@ -53,6 +53,7 @@ class ShardedSeries {
  public:
   ShardedSeries(std::vector<Scene> series, std::filesystem::path folder);
 
+  const std::filesystem::path& folder() const { return folder_; }
   std::filesystem::path file_of(const Shard& shard) const;
   std::size_t runs_of(const Shard& shard) const;
 

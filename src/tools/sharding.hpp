@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
+#include "output/interruption.hpp"
 #include "output/program.hpp"
+#include "output/progress_bar.hpp"
 #include "output/text_table.hpp"
 #include "run/forecast.hpp"
 #include "series/shards.hpp"
@@ -18,6 +21,8 @@ struct Sharding {
   bool collect = false;
   bool status = false;
   Format format = Format::kAuto;  ///< of the status
+
+  bool is_wanted() const { return status || collect || !shard.empty(); }
 };
 
 /// Adds --shard, --collect, --status and the formats of the latter.
@@ -38,9 +43,9 @@ inline void offer_shards(CLI::App& app, Sharding& sharding) {
   }
 }
 
-/// Of an unfinished shard, and of all.
-inline YAML::Node to_yaml(const SeriesProgress& progress) {
+inline YAML::Node to_yaml(const ShardedSeries& series, const SeriesProgress& progress) {
   YAML::Node tree;
+  tree["folder"] = series.folder().string();
   tree["runs"] = progress.runs;
   tree["done"] = progress.done;
   tree["failed"] = progress.failed;
@@ -76,13 +81,31 @@ inline std::string text(const SeriesProgress& progress) {
                      text_of_time(longest), progress.unfinished.size(), aligned(table));
 }
 
+/// Threads, and what is told and asked while the runs go on.
+inline SeriesOptions watched(int jobs, ProgressBar& bar) {
+  return {jobs, [&bar](std::size_t /*rows*/, std::size_t runs) { bar.show(runs); }, interrupted};
+}
+
+/// Simulates one shard, with a progress bar.
+inline std::vector<Row> simulate_shard(const std::string& program, const ShardedSeries& series,
+                                       const Shard& shard, int jobs) {
+  take_interruptions();
+  std::vector<Row> rows;
+  {
+    ProgressBar bar(fmt::format("{}: shard {}", program, text(shard)), series.runs_of(shard));
+    rows = series.run(shard, watched(jobs, bar));
+  }
+  fmt::print("shard {}: {} runs done\n", text(shard), rows.size());
+  return rows;
+}
+
 /// Prints how far the series is.
 inline void print_status(const ShardedSeries& series, Format format) {
   const SeriesProgress progress = series.progress();
   if (is_text(format)) {
     fmt::print("{}", text(progress));
   } else {
-    print_document(to_yaml(progress), format);
+    print_document(to_yaml(series, progress), format);
   }
 }
 

@@ -51,31 +51,18 @@ void tell_results(const std::vector<Row>& rows, const std::string& file) {
   fail_if_runs_failed(rows, file);
 }
 
-/// What is to be known while the runs go on.
-SeriesOptions watched(int jobs, ProgressBar& bar) {
-  take_interruptions();
-  return {jobs, [&bar](std::size_t /*rows*/, std::size_t runs) { bar.show(runs); }, interrupted};
-}
-
 void simulate(const std::vector<Scene>& scenes, const SweepOptions& options) {
   tell_if_long(scenes);
+  take_interruptions();
   std::vector<Row> rows;
   {
     ProgressBar bar("sweep", scenes.size());
-    rows = run_series(scenes, options.output, watched(options.jobs, bar));
+    rows = run_series(
+        scenes, options.output,
+        {options.jobs, [&bar](std::size_t /*rows*/, std::size_t runs) { bar.show(runs); },
+         interrupted});
   }
   tell_results(rows, options.output);
-}
-
-void simulate_shard(const ShardedSeries& series, const SweepOptions& options) {
-  const Shard shard = parse_shard(options.sharding.shard);
-  std::vector<Row> rows;
-  {
-    ProgressBar bar("sweep: shard " + text(shard), series.runs_of(shard));
-    rows = series.run(shard, watched(options.jobs, bar));
-  }
-  fmt::print("shard {}: {} runs done\n", text(shard), rows.size());
-  fail_if_runs_failed(rows, series.file_of(shard).string());
 }
 
 /// The file, which is the last word of the command line.
@@ -99,7 +86,9 @@ void sweep(SweepOptions& options) {
   } else if (sharding.collect) {
     tell_results(shards.collect(file), file);
   } else if (!sharding.shard.empty()) {
-    simulate_shard(shards, options);
+    const Shard shard = parse_shard(sharding.shard);
+    fail_if_runs_failed(simulate_shard("sweep", shards, shard, options.jobs),
+                        shards.file_of(shard).string());
   } else {
     simulate(scenes, options);
   }
