@@ -17,7 +17,7 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 PROGRAMS = pathlib.Path(sys.argv.pop(1))
 TOOLS = ('impact', 'sweep', 'units', 'reproduce', 'work_precision', 'stability', 'accuracy_check',
          'analyse_bag')
-SCRIPTS = ('convert', 'plot_figures', 'plot_impact', 'plot_sweep')
+SCRIPTS = ('convert', 'plot_figures', 'plot_impact', 'plot_sweep', 'submit')
 NODES = ('simulation_node', 'analysis_node', 'recorder_node', 'replay_node', 'viewer_node')
 SMALL = ('collision', 'points=100', 'velocity=0.05')
 DISK = 'radius=0.05,density=1100,young=5e6,thickness=0.01'
@@ -179,6 +179,12 @@ class KeyboardTest(unittest.TestCase):
         self.assertEqual(self.complete('rosrun', 'lattice_impact', 'impact', 'contact', 'load.'),
                          ['load.P=', 'load.hold_rotation='])
         self.assertEqual(self.complete('sweep', 'collision', '--jo'), ['--jobs'])
+        self.assertEqual(self.complete('sweep', 'collision', '--sh'), ['--shard'])
+        self.assertEqual(self.complete('submit', 'sw'), ['sweep'])
+        self.assertEqual(self.complete('submit', '--ta'), ['--tasks'])
+        self.assertEqual(self.complete('submit', 'sweep', 'co'), ['collision', 'contact'])
+        self.assertEqual(self.complete('submit', '--tasks', '4', 'sweep', 'contact', 'load.'),
+                         ['load.P=', 'load.hold_rotation='])
         self.assertEqual(self.complete('units', 'den'), ['density='])
 
 
