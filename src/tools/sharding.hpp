@@ -65,10 +65,10 @@ inline YAML::Node to_yaml(const ShardedSeries& series, const SeriesProgress& pro
 }
 
 inline std::string text(const SeriesProgress& progress) {
-  std::string all = fmt::format("{} of {} runs done, {} failed, {} left", progress.done,
+  std::string all = fmt::format("{} of {} runs done, {} failed, {} left\n", progress.done,
                                 progress.runs, progress.failed, progress.runs - progress.done);
-  if (progress.done == progress.runs) return all + "\n";
-  all += fmt::format(": {} of one processor", text_of_time(progress.seconds_left));
+  if (progress.done == progress.runs) return all;
+  all += fmt::format("about {} of one processor", text_of_time(progress.seconds_left));
   if (progress.count == 0) return all + "; no shard has been begun\n";
   double longest = 0.0;
   TextTable table{{"shard", "runs", "done", "failed", "time left"}};
@@ -77,8 +77,8 @@ inline std::string text(const SeriesProgress& progress) {
     table.push_back({text(one.shard), std::to_string(one.runs), std::to_string(one.done),
                      std::to_string(one.failed), text_of_time(one.seconds_left)});
   }
-  return fmt::format("{}, {} if the {} unfinished shards run at once\n\n{}", all,
-                     text_of_time(longest), progress.unfinished.size(), aligned(table));
+  return fmt::format("{}, {} if all shards run at once\n\n{}", all, text_of_time(longest),
+                     aligned(table));
 }
 
 /// Threads, and what is told and asked while the runs go on.

@@ -57,10 +57,7 @@ void simulate(const std::vector<Scene>& scenes, const SweepOptions& options) {
   std::vector<Row> rows;
   {
     ProgressBar bar("sweep", scenes.size());
-    rows = run_series(
-        scenes, options.output,
-        {options.jobs, [&bar](std::size_t /*rows*/, std::size_t runs) { bar.show(runs); },
-         interrupted});
+    rows = run_series(scenes, options.output, watched(options.jobs, bar));
   }
   tell_results(rows, options.output);
 }

@@ -13,7 +13,7 @@ from pathlib import Path
 
 PROGRAMS = ('munged', 'slurmctld', 'slurmd', 'sbatch')
 NODES = ('one', 'two')
-TIMEOUT = 120.0  # s, far above what anything here takes
+TIMEOUT = 300.0  # s, far above what anything here takes
 
 CONFIGURATION = """
 ClusterName=loopback
