@@ -33,7 +33,7 @@ struct Piece {
 };
 
 /// In µs and never 0. Whole numbers, so that processors whose last bits differ divide alike.
-std::int64_t cost_of(const Scene& scene) {
+std::int64_t cost_of_run(const Scene& scene) {
   constexpr double kMicroseconds = 1e6;
   return 1 + std::llround(kMicroseconds * forecast(scene).seconds);
 }
@@ -41,7 +41,7 @@ std::int64_t cost_of(const Scene& scene) {
 std::vector<std::int64_t> costs_of(const std::vector<Scene>& series) {
   std::vector<std::int64_t> costs;
   costs.reserve(series.size());
-  for (const Scene& scene : series) costs.push_back(cost_of(scene));
+  for (const Scene& scene : series) costs.push_back(cost_of_run(scene));
   return costs;
 }
 
@@ -89,7 +89,7 @@ std::vector<Piece> pieces_of(const std::vector<Scene>& series, std::int64_t shar
 }
 
 /// "a, b, c and 7 more".
-std::string first_of(const std::vector<std::string>& texts) {
+std::string listed(const std::vector<std::string>& texts) {
   constexpr std::size_t kMost = 5;
   const std::size_t shown = std::min(kMost, texts.size());
   const std::string list =
@@ -214,7 +214,7 @@ std::size_t ShardedSeries::count_of_shards() const {
   for (const auto& [count, name] : found) names.push_back(name);
   throw InputError(
       fmt::format("{}: has runs doubled, in {}: remove the shards of all numbers N but one",
-                  folder_.string(), first_of(names)));
+                  folder_.string(), listed(names)));
 }
 
 std::vector<Row> ShardedSeries::run(const Shard& shard, const SeriesOptions& options) const {
@@ -273,7 +273,7 @@ std::vector<std::string> ShardedSeries::lines() const {
   }
   if (unfinished.empty()) return lines;
   throw std::runtime_error(fmt::format("{}: {} of {} runs are missing: shard {}", folder_.string(),
-                                       lines.size() - done, lines.size(), first_of(unfinished)));
+                                       lines.size() - done, lines.size(), listed(unfinished)));
 }
 
 std::vector<Row> ShardedSeries::collect(const std::filesystem::path& file) const {

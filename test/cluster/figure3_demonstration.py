@@ -79,8 +79,8 @@ class Demonstration:
         while self.slurm.tell('squeue', '--noheader'):
             time.sleep(1)
         log = (self.output / 'log' / 'collect.log').read_text().splitlines()
-        self.tell(f'all jobs have ended, {self.rows()} rows; the last words of the collection: '
-                  f'{log[-1] if log else "none"}')
+        missing = [line for line in log if 'missing' in line]
+        self.tell(f'all jobs have ended, {self.rows()} rows; {missing[0] if missing else "collected"}')
 
     def compare(self):
         """With the undivided figure; @throw AssertionError."""

@@ -71,7 +71,7 @@ def perform(arguments):
     """Submits what is missing."""
     command = Command(arguments.command)
     status = command.status()
-    refuse_if_queued(command.script("shards"))
+    refuse_if_queued(command.output)
     plan = Plan(arguments, command, status)
     command.log.mkdir(parents=True, exist_ok=True)
     Path(status["folder"]).mkdir(parents=True, exist_ok=True)
@@ -147,7 +147,7 @@ class Plan:
         table = "" if command.table is None else shlex.quote(str(command.table))
         return script.format(
             name=re.sub(r"[^\w.-]", "_", command.output.name), shards=ranges(self.shards),
-            limit=self.limit, jobs=command.jobs, log=shlex.quote(str(command.log)),
+            limit=self.limit, jobs=command.jobs, log=shlex.quote(str(command.log).replace("%", "%%")),
             folder=shlex.quote(str(Path(self.folder).absolute())), count=self.count,
             command=shlex.join(command.line()), table=table)
 
@@ -169,13 +169,12 @@ def most_tasks():
     return max(1, int(found[1]) - 1)
 
 
-def refuse_if_queued(script):
-    """@throw InputError while a job of this script waits or runs."""
+def refuse_if_queued(folder):
+    """@throw InputError while a job of a script in this folder waits or runs."""
     for line in output_of(["squeue", "--me", "--noheader", "--format=%F %o"]).splitlines():
         job, _, command = line.strip().partition(" ")
-        if command == str(script):
-            raise InputError(f"{script.parent}: job {job} is at it; squeue tells how far, scancel "
-                             "ends it")
+        if Path(command).parent == folder:
+            raise InputError(f"{folder}: job {job} is at it; squeue tells how far, scancel ends it")
 
 
 def submit(script, text, *options):
