@@ -165,8 +165,7 @@ std::string text_of_time(double seconds) {
   constexpr double kMany = 99.5;  // of a unit: the next one is shown
   if (seconds < kMany) return fmt::format("{:.2g} s", seconds);
   if (seconds < kMany * kMinute) return fmt::format("{:.2g} min", seconds / kMinute);
-  const double hours = seconds / kHour;
-  return hours < kMany ? fmt::format("{:.2g} h", hours) : fmt::format("{:.0f} h", hours);
+  return fmt::format("{:.2g} h", seconds / kHour);
 }
 
 void refuse_if_too_long(const Scene& scene) {

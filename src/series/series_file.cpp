@@ -101,7 +101,7 @@ Result failure(const std::string& reason) {
 SeriesColumns::SeriesColumns(const std::vector<Scene>& series)
     : scene_keys(keys_of_scenes(series)), result_keys(keys_of_results(series)) {}
 
-SeriesFile::SeriesFile(std::filesystem::path path, const std::vector<Scene>& scenes)
+SeriesFile::SeriesFile(const std::filesystem::path& path, const std::vector<Scene>& scenes)
     : SeriesFile(path, OutputLock::of_file(path), SeriesColumns(scenes), {scenes, {}}) {}
 
 SeriesFile::SeriesFile(const std::filesystem::path& path, const SeriesColumns& columns,

@@ -54,7 +54,7 @@ class SeriesFile {
   /// stays as it is; nobody else writes to it meanwhile.
   /// @throw InputError as OutputLock::of_file(), and when the file does not begin as this series
   /// does.
-  SeriesFile(std::filesystem::path path, const std::vector<Scene>& scenes);
+  SeriesFile(const std::filesystem::path& path, const std::vector<Scene>& scenes);
   /// @param columns of the series.
   /// @throw InputError as the other constructor, and for a row of another version.
   SeriesFile(const std::filesystem::path& path, const SeriesColumns& columns, SeriesPart part);

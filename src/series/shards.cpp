@@ -99,13 +99,13 @@ std::string listed(const std::vector<std::string>& texts) {
 
 /// The first file of each number of shards that the folder has.
 std::map<std::size_t, std::string> shards_by_count(const std::filesystem::path& folder) {
-  static const std::regex kName("shard-[1-9][0-9]{0,5}-of-([1-9][0-9]{0,5})\\.csv");
+  static const std::regex pattern("shard-[1-9][0-9]{0,5}-of-([1-9][0-9]{0,5})\\.csv");
   std::map<std::size_t, std::string> found;
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
     std::smatch match;
     const std::string name = entry.path().filename().string();
-    if (!std::regex_match(name, match, kName)) continue;
+    if (!std::regex_match(name, match, pattern)) continue;
     std::string& first = found[std::stoul(match[1])];
     if (first.empty() || name < first) first = name;
   }
@@ -211,6 +211,7 @@ std::size_t ShardedSeries::count_of_shards() const {
   const auto found = shards_by_count(folder_);
   if (found.size() < 2) return found.empty() ? 0 : found.begin()->first;
   std::vector<std::string> names;
+  names.reserve(found.size());
   for (const auto& [count, name] : found) names.push_back(name);
   throw InputError(
       fmt::format("{}: has runs doubled, in {}: remove the shards of all numbers N but one",
