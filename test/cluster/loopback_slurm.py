@@ -47,8 +47,8 @@ ReturnToService=2
 MaxArraySize={max_array_size}
 NodeName=one NodeHostname={host} NodeAddr=127.0.0.1 Port={ports[1]} CPUs=1
 NodeName=two NodeHostname={host} NodeAddr=127.0.0.1 Port={ports[2]} CPUs=1
-PartitionName=low Nodes=ALL Default=YES PriorityTier=1
-PartitionName=high Nodes=ALL PriorityTier=2 GraceTime={grace}
+PartitionName=low Nodes=ALL Default=YES PriorityTier=1 GraceTime={grace}
+PartitionName=high Nodes=ALL PriorityTier=2
 """
 
 
