@@ -92,6 +92,9 @@ RULES = (
     (r'(taskset -c 0 )?(build/test/bench_|test/bench/)\w+', only_find),
     (r'/usr/bin/python3 \w+\.py$', run()),
     (r'test/mutants/mutants\.py', run((r'--only .*', '--list'))),
+    (r'export |PATH=|ldd |rsync |parallel ', pass_over),
+    (r'rosrun lattice_impact plot_sweep results/', pass_over),
+    (r'(SBATCH_\w+=\S+ )?rosrun lattice_impact submit ', pass_over),
     (r'rosbag |rostopic |rqt_plot |rosrun plotjuggler |(ROS_NAMESPACE=\w+ )?rviz ', pass_over),
     (r'roslaunch ', launch),
     (r'rosrun lattice_impact (simulation|viewer)_node ', pass_over),
@@ -101,6 +104,8 @@ RULES = (
     (r'rosrun lattice_impact impact .*stretch', run()),
     (r'rosrun lattice_impact impact ', run(QUICK_DISK)),
     (r'rosrun lattice_impact sweep \$', start),
+    (r'rosrun lattice_impact sweep .*--collect', run(
+        FEW_SEEDS, (r'sweep \w+', r'\g<0> disk.points=100'))),
     (r'rosrun lattice_impact sweep .*stretch', run(FEW_SEEDS)),
     (r'rosrun lattice_impact sweep disk_on_disk ', run(FEW_SEEDS, QUICK_DISK, (r'velocity=\S+', 'velocity=0.02,0.05'), (r'angle=\S+', 'angle=10,60'))),
     (r'rosrun lattice_impact sweep row_of_disks ', run(

@@ -2,6 +2,7 @@
 # Installs and builds what is missing, then runs all tests.
 #   --strict              also the checks of the sources: compiler warnings as errors, clang-format,
 #                         clang-tidy, catkin_lint, and the fuzzers for a few seconds
+#   --cluster             also submit on a Slurm of this machine's own, and shards by GNU Parallel
 #   --package             also the Debian package in a fresh minimal system (mmdebstrap)
 #   --sanitize address    only the unit tests, with assertions, AddressSanitizer and UBSan
 #   --sanitize thread     only those of several threads, with ThreadSanitizer
@@ -67,6 +68,9 @@ case "${1:-}" in
   --strict)
     install clang-format clang-tidy catkin-lint $fuzz_packages
     all_tests ON ;;
+  --cluster)
+    install slurm-wlm munge parallel
+    all_tests OFF ;;
   --package)
     install mmdebstrap
     all_tests OFF ;;
@@ -84,6 +88,6 @@ case "${1:-}" in
     use_package
     test/faults/faults.py --seconds "${2:-60}" ;;
   *)
-    echo "got '$1', allowed: --strict, --package, --sanitize, --fuzz or --faults" >&2
+    echo "got '$1', allowed: --strict, --cluster, --package, --sanitize, --fuzz or --faults" >&2
     exit 2 ;;
 esac

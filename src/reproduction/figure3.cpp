@@ -117,11 +117,12 @@ double measured_time_by_bond_time(const Wall& wall, const Measured& measured, do
 
 }  // namespace
 
+std::vector<Scene> scenes_of_figure3(int lattices) { return with_seeds(collisions(), lattices); }
+
 void reproduce_figure3(const Reproduction& reproduction, const Material& material) {
   const ElasticDisk& disk = material.blue_noise;
-  const std::vector<Scene> scenes = collisions();
   const std::vector<Row> rows =
-      simulate(reproduction, "figure3", with_seeds(scenes, reproduction.lattices));
+      simulate(reproduction, "figure3", scenes_of_figure3(reproduction.lattices));
 
   Table table({"wall_a", "eta", "velocity", "velocity_by_sound_speed", "lattices", "restitution",
                "restitution_error", "fit", "contact_duration", "contact_duration_theory",
@@ -135,7 +136,7 @@ void reproduce_figure3(const Reproduction& reproduction, const Material& materia
   for (const Wall& wall : walls()) {
     Measured measured;
     for (std::size_t k = 0; k < wall.viscosity.size(); ++k, first += speeds) {
-      const std::vector<Row> rows_of_curve = every(rows, first, speeds, scenes.size());
+      const std::vector<Row> rows_of_curve = every(rows, first, speeds, collisions().size());
       measured.restitution.push_back(ensemble(rows_of_curve, speed_of, "restitution"));
       measured.duration.push_back(ensemble(rows_of_curve, speed_of, "contact_duration"));
       add_losses(wall, wall.viscosity[k], rows_of_curve, losses);

@@ -63,22 +63,26 @@ void add_lines(const WallCase& one, const Ensemble& curves, const Ensemble& hops
 
 }  // namespace
 
-void reproduce_figure6(const Reproduction& reproduction, const Material& material) {
-  const std::vector<WallCase> all = wall_cases();
+std::vector<Scene> scenes_of_figure6(int lattices) {
   std::vector<Scene> scenes;
-  for (const WallCase& one : all) {
+  for (const WallCase& one : wall_cases()) {
     for (const Scene& scene : at_all_speeds(one.scene)) scenes.push_back(scene);
   }
+  return with_seeds(scenes, lattices);
+}
+
+void reproduce_figure6(const Reproduction& reproduction, const Material& material) {
+  const std::vector<WallCase> all = wall_cases();
   const std::vector<Row> rows =
-      simulate(reproduction, "figure6", with_seeds(scenes, reproduction.lattices));
+      simulate(reproduction, "figure6", scenes_of_figure6(reproduction.lattices));
 
   Table table({"case", "velocity", "velocity_by_sound_speed", "lattices", "restitution",
                "restitution_error", "fit", "paper_fit", "hops_by_impact_energy",
                "largest_hops_by_impact_energy"});
   Table fits = fit_table();
-  const std::size_t speeds = scenes.size() / all.size();
+  const std::size_t speeds = at_all_speeds({}).size();
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const std::vector<Row> rows_of_case = every(rows, k * speeds, speeds, scenes.size());
+    const std::vector<Row> rows_of_case = every(rows, k * speeds, speeds, all.size() * speeds);
     const Ensemble curves = ensemble(rows_of_case, speed_of, "restitution");
     const ElasticDisk& disk = material.of(all[k].scene.disk.recipe.placement);
     add_lines(all[k], curves, ensemble(rows_of_case, speed_of, "hops"), disk, table);

@@ -8,11 +8,15 @@
 
 namespace impact {
 
+std::filesystem::path file_of_runs(const Reproduction& reproduction, const std::string& name) {
+  return reproduction.folder / (name + "_runs.csv");
+}
+
 std::vector<Row> simulate(const Reproduction& reproduction, const std::string& name,
                           const std::vector<Scene>& scenes) {
   ProgressBar bar("reproduce: " + name, scenes.size());
   return run_series(
-      scenes, reproduction.folder / (name + "_runs.csv"),
+      scenes, file_of_runs(reproduction, name),
       {reproduction.jobs, [&bar](std::size_t /*rows*/, std::size_t runs) { bar.show(runs); },
        interrupted});
 }

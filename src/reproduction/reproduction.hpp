@@ -22,6 +22,9 @@ struct Reproduction {
 std::vector<Row> simulate(const Reproduction& reproduction, const std::string& name,
                           const std::vector<Scene>& scenes);
 
+/// Where simulate() keeps the runs of a figure.
+std::filesystem::path file_of_runs(const Reproduction& reproduction, const std::string& name);
+
 /// @throw std::runtime_error after SIGINT or SIGTERM.
 void break_off_if_interrupted();
 
@@ -48,6 +51,10 @@ void draw_lattices(const Reproduction& reproduction);
 /// Figure 2: compression against load, the fits of b, and the pressure under the contact
 /// (figure2.csv, figure2_fits.csv, figure2_pressure.csv).
 void reproduce_figure2(const Reproduction& reproduction, const Material& material);
+
+/// What figures 3 and 6 simulate, over all seeds.
+std::vector<Scene> scenes_of_figure3(int lattices);
+std::vector<Scene> scenes_of_figure6(int lattices);
 
 /// Figure 3: restitution against speed for seven η*, the fits of d₁ and d₂, and τ₀ (figure3.csv,
 /// figure3_fits.csv, figure3_dissipation.csv).

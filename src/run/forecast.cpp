@@ -94,14 +94,6 @@ Work work_of(const Scene& scene, const Rates& rates, Eigen::Index points, double
   return {all_runs(scene, resolution) * time / resolution.step, cost};
 }
 
-std::string text_of(double seconds) {
-  constexpr double kMinute = 60.0;
-  constexpr double kHour = 3600.0;
-  if (seconds < 2.0 * kMinute) return fmt::format("{:.2g} s", seconds);
-  if (seconds < 2.0 * kHour) return fmt::format("{:.2g} min", seconds / kMinute);
-  return fmt::format("{:.2g} h", seconds / kHour);
-}
-
 Eigen::Index points_of(const Scene& scene) {
   if (scene.kind != SceneKind::kStretch) return scene.disk.recipe.points;
   constexpr double kMost = 1e6;  // a rectangle of more is refused by make_bodies()
@@ -164,7 +156,16 @@ Forecast forecast(const Scene& scene, Eigen::Index points, Eigen::Index other_po
 
 std::string text(const Forecast& forecast) {
   return fmt::format("{:.2g} steps and {} on one processor", forecast.steps,
-                     text_of(forecast.seconds));
+                     text_of_time(forecast.seconds));
+}
+
+std::string text_of_time(double seconds) {
+  constexpr double kMinute = 60.0;
+  constexpr double kHour = 3600.0;
+  constexpr double kMany = 99.5;  // of a unit: the next one is shown
+  if (seconds < kMany) return fmt::format("{:.2g} s", seconds);
+  if (seconds < kMany * kMinute) return fmt::format("{:.2g} min", seconds / kMinute);
+  return fmt::format("{:.2g} h", seconds / kHour);
 }
 
 void refuse_if_too_long(const Scene& scene) {

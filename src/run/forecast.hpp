@@ -25,6 +25,9 @@ Forecast forecast(const Scene& scene, Eigen::Index points, Eigen::Index other_po
 /// "2.1e+08 steps and 12 min on one processor".
 std::string text(const Forecast& forecast);
 
+/// "12 min" for so many seconds.
+std::string text_of_time(double seconds);
+
 /// From here on (s) a user is told what a scene will take.
 constexpr double kWorthTelling = 60.0;
 

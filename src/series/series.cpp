@@ -221,19 +221,20 @@ void simulate_tasks(std::vector<Task> tasks, SharedBodies first, SeriesFile& fil
 
 std::vector<Row> run_series(const std::vector<Scene>& scenes, const std::filesystem::path& file,
                             const SeriesOptions& options) {
-  for (const Scene& scene : scenes) {
-    refuse_impossible(scene);
-  }
-  SeriesFile rows(file, scenes);
-  std::vector<Task> tasks = missing_tasks(rows, options.jobs);
+  for (const Scene& scene : scenes) refuse_impossible(scene);
+  return run_series(SeriesFile(file, scenes), options);
+}
+
+std::vector<Row> run_series(SeriesFile file, const SeriesOptions& options) {
+  std::vector<Task> tasks = missing_tasks(file, options.jobs);
   if (!tasks.empty()) {
-    const std::vector<Scene> first_scenes = scenes_of(tasks.front(), rows);
+    const std::vector<Scene> first_scenes = scenes_of(tasks.front(), file);
     SharedBodies first = make_common_bodies(first_scenes);
     compose(first_scenes.front(), first);  // before a file is written
-    rows.open();
-    simulate_tasks(std::move(tasks), std::move(first), rows, options);
+    file.open();
+    simulate_tasks(std::move(tasks), std::move(first), file, options);
   }
-  return rows.rows();
+  return file.rows();
 }
 
 }  // namespace impact

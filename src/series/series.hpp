@@ -30,4 +30,8 @@ struct SeriesOptions {
 std::vector<Row> run_series(const std::vector<Scene>& scenes, const std::filesystem::path& file,
                             const SeriesOptions& options);
 
+/// The same with the scenes of the file.
+/// @throw as the other one, but for what SeriesFile and refuse_impossible() throw.
+std::vector<Row> run_series(SeriesFile file, const SeriesOptions& options);
+
 }  // namespace impact

@@ -11,12 +11,14 @@
 
 #include "output/csv.hpp"
 #include "scene/scene_parameters.hpp"
+#include "scene/version.hpp"
 #include "series/convergence_study.hpp"
 
 namespace impact {
 namespace {
 
 constexpr const char* kFailed = "failed: ";
+const std::vector<std::string> kKeysOfPart{"version", "run"};
 
 double number(const std::string& text) {
   double value = 0.0;
@@ -38,7 +40,7 @@ std::string value_text(const Result::Value* value) {
   return value == nullptr ? "" : std::visit(CellText{}, *value);
 }
 
-std::vector<std::string> scene_keys(const std::vector<Scene>& scenes) {
+std::vector<std::string> keys_of_scenes(const std::vector<Scene>& scenes) {
   std::vector<std::string> keys;
   for (const Parameter<Scene>& parameter : scene_parameters()) {
     if (std::any_of(scenes.begin(), scenes.end(), parameter.applies)) keys.push_back(parameter.key);
@@ -47,7 +49,7 @@ std::vector<std::string> scene_keys(const std::vector<Scene>& scenes) {
 }
 
 /// The keys that any result has. One that is missing so far goes behind the one that it follows.
-std::vector<std::string> result_keys(const std::vector<Scene>& scenes) {
+std::vector<std::string> keys_of_results(const std::vector<Scene>& scenes) {
   std::vector<std::string> keys;
   for (const Scene& scene : scenes) {
     auto place = keys.begin();
@@ -81,6 +83,13 @@ std::vector<std::string> scene_texts(const Scene& scene, const std::vector<std::
   return texts;
 }
 
+/// The line behind its first cells, which are not quoted.
+std::string without_cells(const std::string& line, std::size_t count) {
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < count; ++i) begin = line.find(',', begin) + 1;
+  return line.substr(begin);
+}
+
 }  // namespace
 
 bool has_failed(const Row& row) { return begins_with(row.flags, kFailed); }
@@ -89,27 +98,46 @@ Result failure(const std::string& reason) {
   return {{{"flags", std::vector<std::string>{kFailed + reason}}}};
 }
 
-SeriesFile::SeriesFile(std::filesystem::path path, std::vector<Scene> scenes)
+SeriesColumns::SeriesColumns(const std::vector<Scene>& series)
+    : scene_keys(keys_of_scenes(series)), result_keys(keys_of_results(series)) {}
+
+SeriesFile::SeriesFile(const std::filesystem::path& path, const std::vector<Scene>& scenes)
+    : SeriesFile(path, OutputLock::of_file(path), SeriesColumns(scenes), {scenes, {}}) {}
+
+SeriesFile::SeriesFile(const std::filesystem::path& path, const SeriesColumns& columns,
+                       SeriesPart part)
+    : SeriesFile(path, OutputLock::of_file(path), columns, std::move(part)) {}
+
+SeriesFile SeriesFile::so_far(const std::filesystem::path& path, const SeriesColumns& columns,
+                              SeriesPart part) {
+  return {path, std::nullopt, columns, std::move(part)};
+}
+
+SeriesFile::SeriesFile(std::filesystem::path path, std::optional<OutputLock> lock,
+                       SeriesColumns columns, SeriesPart part)
     : path_(std::move(path)),
-      lock_(OutputLock::of_file(path_)),
-      scenes_(std::move(scenes)),
-      scene_keys_(scene_keys(scenes_)),
-      result_keys_(result_keys(scenes_)) {
-  read(read_file(path_));
+      lock_(std::move(lock)),
+      columns_(std::move(columns)),
+      part_(std::move(part)) {
+  if (lock_ || std::filesystem::exists(path_)) read(read_file(path_));
 }
 
-std::vector<std::string> SeriesFile::columns() const {
-  std::vector<std::string> names = scene_keys_;
-  names.insert(names.end(), result_keys_.begin(), result_keys_.end());
-  return names;
+std::vector<std::string> SeriesFile::names() const {
+  std::vector<std::string> all = is_part() ? kKeysOfPart : std::vector<std::string>();
+  all.insert(all.end(), columns_.scene_keys.begin(), columns_.scene_keys.end());
+  all.insert(all.end(), columns_.result_keys.begin(), columns_.result_keys.end());
+  return all;
 }
 
-/// What the line must begin with; line 0 is the header.
+/// Those before its results. Line 0 is the header.
 std::vector<std::string> SeriesFile::expected_cells(std::size_t line) const {
-  if (line > scenes_.size()) {
-    throw misfit(line, fmt::format("this series has {} runs only", scenes_.size()));
+  if (line > scenes().size()) {
+    throw misfit(line, fmt::format("this series has {} runs only", scenes().size()));
   }
-  return line == 0 ? columns() : scene_texts(scenes_[line - 1], scene_keys_);
+  if (line == 0) return names();
+  std::vector<std::string> cells = scene_texts(scenes()[line - 1], columns_.scene_keys);
+  if (is_part()) cells.insert(cells.begin(), {version(), fmt::to_string(part_.numbers[line - 1])});
+  return cells;
 }
 
 InputError SeriesFile::misfit(std::size_t line, const std::string& reason) const {
@@ -136,7 +164,7 @@ void SeriesFile::check_half_line(std::size_t line, const std::string& text) cons
 }
 
 void SeriesFile::read_line(std::size_t line, const std::string& text) {
-  const std::vector<std::string> names = columns();
+  const std::vector<std::string> columns = names();
   const std::vector<std::string> expected = expected_cells(line);
   std::vector<std::string> cells;
   try {
@@ -144,24 +172,27 @@ void SeriesFile::read_line(std::size_t line, const std::string& text) {
   } catch (const boost::escaped_list_error& error) {
     throw misfit(line, error.what());
   }
-  if (cells.size() != names.size()) {
+  if (cells.size() != columns.size()) {
     throw misfit(line,
-                 fmt::format("got {} columns, this series has {}", cells.size(), names.size()));
+                 fmt::format("got {} columns, this series has {}", cells.size(), columns.size()));
   }
   for (std::size_t i = 0; i < expected.size(); ++i) {
     if (cells[i] == expected[i]) continue;
-    throw misfit(line, fmt::format("{}: got {}, this series has {}", names[i], csv_cell(cells[i]),
+    throw misfit(line, fmt::format("{}: got {}, this series has {}", columns[i], csv_cell(cells[i]),
                                    csv_cell(expected[i])));
   }
-  if (line > 0) add_row(cells);
+  if (line == 0) return;
+  add_row(cells);
+  if (is_part()) lines_.push_back(without_cells(text, kKeysOfPart.size()));
 }
 
 void SeriesFile::add_row(const std::vector<std::string>& cells) {
-  Row row{scenes_[rows_.size()], {}, cells.back()};
-  for (std::size_t i = 0; i < result_keys_.size(); ++i) {
-    const std::string& cell = cells[scene_keys_.size() + i];
-    row.results[result_keys_[i]] = number(cell);
-    if (result_keys_[i] == "integrator") row.integrator = cell;
+  Row row{scenes()[rows_.size()], {}, cells.back()};
+  const std::size_t first = cells.size() - columns_.result_keys.size();
+  for (std::size_t i = 0; i < columns_.result_keys.size(); ++i) {
+    const std::string& cell = cells[first + i];
+    row.results[columns_.result_keys[i]] = number(cell);
+    if (columns_.result_keys[i] == "integrator") row.integrator = cell;
   }
   rows_.push_back(std::move(row));
 }
@@ -171,19 +202,26 @@ void SeriesFile::open() {
   std::filesystem::resize_file(path_, complete_bytes_, error);
   file_.open(path_, std::ios::binary | std::ios::app);
   if (error || !file_) throw InputError(fmt::format("{}: cannot be written", path_.string()));
-  if (complete_bytes_ == 0) write(csv_line(columns()));
+  if (complete_bytes_ == 0) write(csv_line(names()));
 }
 
 void SeriesFile::append(const Result& result) {
-  const Scene& scene = scenes_[rows_.size()];
-  std::vector<std::string> cells = scene_texts(scene, scene_keys_);
-  Row row{scene, {}, value_text(result.find("flags")), value_text(result.find("integrator"))};
-  for (const std::string& key : result_keys_) {
+  std::vector<std::string> cells = expected_cells(rows_.size() + 1);
+  Row row{scenes()[rows_.size()],
+          {},
+          value_text(result.find("flags")),
+          value_text(result.find("integrator"))};
+  for (const std::string& key : columns_.result_keys) {
     cells.push_back(value_text(result.find(key)));
     row.results[key] = result.number(key);
   }
   write(csv_line(cells));
   rows_.push_back(std::move(row));
+}
+
+void SeriesFile::append_line(const std::string& line) {
+  read_line(rows_.size() + 1, line);
+  write(line);
 }
 
 void SeriesFile::write(const std::string& line) {

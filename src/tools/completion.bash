@@ -13,12 +13,23 @@ _lattice_impact_folder() {
 
 # _lattice_impact_complete PROGRAM WORD… — the last word is the one to complete.
 _lattice_impact_complete() {
+  if [[ ${1##*/} == submit ]]; then
+    local number
+    for ((number = 2; number < $#; ++number)); do
+      # What is submitted has words of its own.
+      [[ ${!number} == sweep || ${!number} == reproduce ]] || continue
+      _lattice_impact_complete "${@:number}"
+      return
+    done
+  fi
   local program=$1 scene=$2 word=${*: -1} folder words
   program=$(_lattice_impact_folder lib/lattice_impact)/${program##*/}
   COMPREPLY=()
   [ -x "$program" ] || return
   if [[ $word == -* ]]; then
-    words=$("$program" --help 2> /dev/null | grep -oE -- '--[a-z][a-z_-]*')
+    words=$("$program" --help 2> /dev/null | grep -oE -- '--[a-z][a-z_-]*' | sort -u)
+  elif [[ $program == */submit ]]; then
+    words="sweep reproduce"
   elif [[ $program == */units ]]; then
     words=$("$program" --help | sed -n 's/^  \([a-z_]*\).*  (.*/\1=/p')
   elif [[ $program == */impact || $program == */sweep ]] && [ $# = 2 ]; then
@@ -49,4 +60,4 @@ _lattice_impact_rosrun() {
 complete -F _lattice_impact_rosrun rosrun
 # Other packages have a convert and units too.
 complete -F _lattice_impact impact sweep reproduce work_precision stability accuracy_check \
-  analyse_bag plot_figures plot_impact plot_sweep
+  analyse_bag plot_figures plot_impact plot_sweep submit

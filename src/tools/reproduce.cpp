@@ -11,6 +11,8 @@
 #include "reproduction/oblique.hpp"
 #include "reproduction/plotting.hpp"
 #include "reproduction/reproduction.hpp"
+#include "series/shards.hpp"
+#include "tools/sharding.hpp"
 
 namespace impact {
 namespace {
@@ -32,6 +34,29 @@ void reproduce(const std::string& figure, const Reproduction& reproduction) {
   if (all || figure == "figure6") reproduce_figure6(reproduction, material);
   break_off_if_interrupted();
   plot(reproduction.folder, figure);
+}
+
+/// The runs of a figure that is an ensemble of impacts.
+ShardedSeries shards_of(const std::string& figure, const Reproduction& reproduction) {
+  if (figure != "figure3" && figure != "figure6") {
+    throw InputError(figure + ": is not divided into shards, allowed: figure3 or figure6");
+  }
+  return {figure == "figure3" ? scenes_of_figure3(reproduction.lattices)
+                              : scenes_of_figure6(reproduction.lattices),
+          reproduction.folder / (figure + "_shards")};
+}
+
+void reproduce_in_shards(const std::string& figure, const Reproduction& reproduction,
+                         const Sharding& sharding) {
+  const ShardedSeries shards = shards_of(figure, reproduction);
+  if (sharding.status) {
+    print_status(shards, sharding.format);
+  } else if (sharding.collect) {
+    shards.collect(file_of_runs(reproduction, figure));
+    reproduce(figure, reproduction);
+  } else {
+    simulate_shard("reproduce", shards, parse_shard(sharding.shard), reproduction.jobs);
+  }
 }
 
 }  // namespace
@@ -60,8 +85,14 @@ int main(int argc, char** argv) {
   app.add_option("--jobs", reproduction.jobs, "threads")
       ->capture_default_str()
       ->check(CLI::Range(1, 1024));
+  impact::Sharding sharding;
+  impact::offer_shards(app, sharding);
   return impact::run_tool(app, argc, argv, [&] {
     reproduction.folder = folder;
-    impact::reproduce(figure, reproduction);
+    if (sharding.is_wanted()) {
+      impact::reproduce_in_shards(figure, reproduction, sharding);
+    } else {
+      impact::reproduce(figure, reproduction);
+    }
   });
 }

@@ -14,9 +14,18 @@
 #include "series/series.hpp"
 #include "series/summary.hpp"
 #include "series/sweep_values.hpp"
+#include "tools/sharding.hpp"
 
 namespace impact {
 namespace {
+
+struct SweepOptions {
+  std::string scene_file;
+  std::vector<std::string> assignments;
+  std::string output;
+  int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  Sharding sharding;
+};
 
 void tell_if_long(const std::vector<Scene>& scenes) {
   Forecast all;
@@ -30,23 +39,56 @@ void tell_if_long(const std::vector<Scene>& scenes) {
   fmt::print(stderr, "sweep: these scenes will take at most about {}\n", text(all));
 }
 
-void sweep(const std::string& scene_file, const std::vector<std::string>& assignments,
-           const std::string& output, int jobs) {
-  const std::vector<Scene> scenes = parse_sweep(load_keys(scene_path(scene_file)), assignments);
+void fail_if_runs_failed(const std::vector<Row>& rows, const std::string& file) {
+  const auto failed = std::count_if(rows.begin(), rows.end(), has_failed);
+  if (failed == 0) return;
+  throw std::runtime_error(
+      fmt::format("{} of {} runs failed: see flags in {}", failed, rows.size(), file));
+}
+
+void tell_results(const std::vector<Row>& rows, const std::string& file) {
+  fmt::print("{}", summary(rows));
+  fail_if_runs_failed(rows, file);
+}
+
+void simulate(const std::vector<Scene>& scenes, const SweepOptions& options) {
   tell_if_long(scenes);
   take_interruptions();
   std::vector<Row> rows;
   {
     ProgressBar bar("sweep", scenes.size());
-    rows = run_series(
-        scenes, output,
-        {jobs, [&bar](std::size_t /*rows*/, std::size_t runs) { bar.show(runs); }, interrupted});
+    rows = run_series(scenes, options.output, watched(options.jobs, bar));
   }
-  fmt::print("{}", summary(rows));
-  const auto failed = std::count_if(rows.begin(), rows.end(), has_failed);
-  if (failed == 0) return;
-  throw std::runtime_error(
-      fmt::format("{} of {} runs failed: see flags in {}", failed, rows.size(), output));
+  tell_results(rows, options.output);
+}
+
+/// The file, which is the last word of the command line.
+std::string take_file(std::vector<std::string>& words) {
+  if (words.empty() || words.back().find('=') != std::string::npos) {
+    throw InputError("--collect: FILE.csv is missing, the last word of the command line");
+  }
+  std::string file = std::move(words.back());
+  words.pop_back();
+  return file;
+}
+
+void sweep(SweepOptions& options) {
+  const Sharding& sharding = options.sharding;
+  const std::string file = sharding.collect ? take_file(options.assignments) : "";
+  const std::vector<Scene> scenes =
+      parse_sweep(load_keys(scene_path(options.scene_file)), options.assignments);
+  const ShardedSeries shards(scenes, options.output);
+  if (sharding.status) {
+    print_status(shards, sharding.format);
+  } else if (sharding.collect) {
+    tell_results(shards.collect(file), file);
+  } else if (!sharding.shard.empty()) {
+    const Shard shard = parse_shard(sharding.shard);
+    fail_if_runs_failed(simulate_shard("sweep", shards, shard, options.jobs),
+                        shards.file_of(shard).string());
+  } else {
+    simulate(scenes, options);
+  }
 }
 
 }  // namespace
@@ -55,16 +97,19 @@ void sweep(const std::string& scene_file, const std::vector<std::string>& assign
 int main(int argc, char** argv) {
   CLI::App app("Simulates a scene for all combinations of values; a row of a CSV file a run.",
                "sweep");
-  std::string scene_file;
-  std::vector<std::string> assignments;
-  std::string output;
-  int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  app.add_option("scene", scene_file,
+  impact::SweepOptions options;
+  app.add_option("scene", options.scene_file,
                  "collision, contact, absorbing_wall, stretch, or a scene file")
       ->required();
-  app.add_option("assignments", assignments, "key=v1,v2,... or key=lo:hi:n or key=lo:hi:n:log");
-  app.add_option("--output", output, "CSV file; one of the same command is continued")->required();
-  app.add_option("--jobs", jobs, "threads")->capture_default_str()->check(CLI::Range(1, 1024));
-  return impact::run_tool(app, argc, argv,
-                          [&] { impact::sweep(scene_file, assignments, output, jobs); });
+  app.add_option("assignments", options.assignments,
+                 "key=v1,v2,... or key=lo:hi:n or key=lo:hi:n:log; with --collect, last of all, "
+                 "the CSV file");
+  app.add_option("--output", options.output,
+                 "CSV file; one of the same command is continued. Of shards, their folder")
+      ->required();
+  app.add_option("--jobs", options.jobs, "threads")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  impact::offer_shards(app, options.sharding);
+  return impact::run_tool(app, argc, argv, [&] { impact::sweep(options); });
 }

@@ -89,6 +89,7 @@ TEST(Forecast, KnowsThatLightContactsRelaxForLong) {
 
 TEST(Forecast, ReadsLikeThis) {
   EXPECT_EQ(text({2.13e8, 720.0}), "2.1e+08 steps and 12 min on one processor");
+  EXPECT_EQ(text({1e4, 110.0}), "1e+04 steps and 1.8 min on one processor");
   EXPECT_EQ(text({15.0, 0.25}), "15 steps and 0.25 s on one processor");
   EXPECT_EQ(text({2.1e13, 1e9}), "2.1e+13 steps and 2.8e+05 h on one processor");
 }

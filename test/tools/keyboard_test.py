@@ -17,7 +17,7 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 PROGRAMS = pathlib.Path(sys.argv.pop(1))
 TOOLS = ('impact', 'sweep', 'units', 'reproduce', 'work_precision', 'stability', 'accuracy_check',
          'analyse_bag')
-SCRIPTS = ('convert', 'plot_figures', 'plot_impact', 'plot_sweep')
+SCRIPTS = ('convert', 'plot_figures', 'plot_impact', 'plot_sweep', 'submit')
 NODES = ('simulation_node', 'analysis_node', 'recorder_node', 'replay_node', 'viewer_node')
 SMALL = ('collision', 'points=100', 'velocity=0.05')
 DISK = 'radius=0.05,density=1100,young=5e6,thickness=0.01'
@@ -112,6 +112,32 @@ class KeyboardTest(unittest.TestCase):
         self.assertEqual(table.split()[:2], ['impact.velocity', 'restitution'])
         self.assertEqual(len(table.splitlines()), 3)
 
+    def test_shards_by_name(self):
+        with tempfile.TemporaryDirectory() as folder:
+            parts, table = (os.path.join(folder, name) for name in ('parts', 'all.csv'))
+            sweep = ('sweep', 'collision', 'points=50', 'velocity=0.05', 'seed=1,2')
+            self.assertEqual(self.output_of(*sweep, '--output', parts, '--shard', '1/2'),
+                             'shard 1/2: 1 runs done\n')
+            self.assertIn('1 of 2 runs done, 0 failed, 1 left\n',
+                          self.output_of(*sweep, '--output', parts, '--status', '--text'))
+            done = run(*sweep, '--collect', '--output', parts, table)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(': 1 of 2 runs are missing: shard 2/2 has 0 of 1\n', done.stderr)
+            self.output_of(*sweep, '--output', parts, '--shard', '2/2')
+            self.output_of(*sweep, '--collect', '--output', parts, table)
+            self.assert_refused('FILE.csv is missing', *sweep, '--collect', '--output', parts)
+            self.assert_refused('--shard excludes --status', *sweep, '--output', parts, '--status',
+                                '--shard', '1/2')
+
+    def test_shards_of_figures(self):
+        for figure, runs in (('figure3', 220), ('figure6', 180)):
+            status = json.loads(self.output_of('reproduce', figure, '--lattices', '2', '--output',
+                                               '/nowhere', '--status', '--json'))
+            self.assertEqual((status['runs'], status['shards']), (runs, 0))
+            self.assertEqual(status['folder'], '/nowhere/' + figure + '_shards')
+        self.assert_refused('figure2: is not divided into shards, allowed: figure3 or figure6',
+                            'reproduce', 'figure2', '--output', '/nowhere', '--status')
+
     def test_keys_of_a_scene(self):
         text = self.output_of('impact', 'collision', '--keys', 'velocity=0.02')
         self.assertIn('  impact.velocity = 0.02 c  (number in [1e-09, 1])\n', text)
@@ -179,6 +205,12 @@ class KeyboardTest(unittest.TestCase):
         self.assertEqual(self.complete('rosrun', 'lattice_impact', 'impact', 'contact', 'load.'),
                          ['load.P=', 'load.hold_rotation='])
         self.assertEqual(self.complete('sweep', 'collision', '--jo'), ['--jobs'])
+        self.assertEqual(self.complete('sweep', 'collision', '--sh'), ['--shard'])
+        self.assertEqual(self.complete('submit', 'sw'), ['sweep'])
+        self.assertEqual(self.complete('submit', '--ta'), ['--tasks'])
+        self.assertEqual(self.complete('submit', 'sweep', 'co'), ['collision', 'contact'])
+        self.assertEqual(self.complete('submit', '--tasks', '4', 'sweep', 'contact', 'load.'),
+                         ['load.P=', 'load.hold_rotation='])
         self.assertEqual(self.complete('units', 'den'), ['density='])
 
 
