@@ -88,12 +88,8 @@ bool are_for_lanes(const Composition& composition) {
 }
 
 /// About how many steps a run of the scene takes.
-double expected_steps(const Composition& composition, const Resolution& resolution) {
-  return composition.expected_time / resolution.step;
-}
-
-double expected_steps(const LaneRun& run) {
-  return expected_steps(*run.candidate->composition, run.resolution);
+double expected_steps(const Composition& composition) {
+  return composition.expected_time / composition.resolution.step;
 }
 
 class SideBySide {
@@ -199,11 +195,10 @@ class SideBySide {
     double all = 0.0;
     double longest = 0.0;
     for (const Candidate* const candidate : candidates) {
-      const Composition& composition = *candidate->composition;
-      const double steps = expected_steps(composition, composition.resolution);
+      const double steps = expected_steps(*candidate->composition);
       const double runs = scenes_[candidate->place].numerics.are_given()
                               ? 1.0
-                              : steps_of_all_runs(composition.resolution);
+                              : steps_of_all_runs(candidate->composition->resolution);
       all += runs * steps;
       longest = std::max(longest, steps);
     }
@@ -233,7 +228,7 @@ class SideBySide {
 
   bool run_in_lanes(const std::vector<Candidate*>& candidates) {
     for (Candidate* const candidate : candidates) start(*candidate);
-    for (auto& [key, queue] : waiting_) put_longest_first(queue);
+    for (auto& [key, queue] : waiting_) put_finest_first(queue);
     while (!waiting_.empty()) {
       const auto most = std::max_element(
           waiting_.begin(), waiting_.end(),
@@ -243,11 +238,14 @@ class SideBySide {
     return true;
   }
 
-  /// So that no long run is left over when the other lanes have nothing to do.
-  static void put_longest_first(std::deque<LaneRun*>& queue) {
-    std::stable_sort(queue.begin(), queue.end(), [](const LaneRun* a, const LaneRun* b) {
-      return expected_steps(*a) > expected_steps(*b);
-    });
+  /// Of each scene, since it is the longest: so the runs that are left over at the end, when other
+  /// lanes have nothing to do, are short ones.
+  static void put_finest_first(std::deque<LaneRun*>& queue) {
+    const auto key = [](const LaneRun* run) {
+      return std::make_pair(run->candidate->place, run->resolution.step);
+    };
+    std::stable_sort(queue.begin(), queue.end(),
+                     [&](const LaneRun* a, const LaneRun* b) { return key(a) < key(b); });
   }
 
   /// Starts the first run, and those after it as far as they are sure to be needed.

@@ -66,7 +66,7 @@ TEST(ReproduceOblique, ComparesEWithTheSlopeOfTheSurface) {
   EXPECT_EQ(straight.at("lattices"), 2.0);
   EXPECT_EQ(straight.at("refused"), 0.0);
   EXPECT_EQ(straight.at("gain"), 0.0);
-  EXPECT_EQ(straight.at("on_slope"), straight.at("restitution"));
+  EXPECT_DOUBLE_EQ(straight.at("on_slope"), straight.at("restitution"));
 
   const std::vector<Line> impacts = lines_of(folder.path() / "oblique_impacts.csv");
   ASSERT_EQ(impacts.size(), 4U);
