@@ -527,24 +527,38 @@ struct Content {
   std::size_t bond_types = 1;
 };
 
+void print_header(const Content& content, std::ostream& out) {
+  const Size low = content.points.colwise().minCoeff() - content.margin;
+  const Size high = content.points.colwise().maxCoeff() + content.margin;
+  fmt::print(out, "{}\n\n{} atoms\n{} bonds\n1 atom types\n{} bond types\n\n", content.title,
+             content.points.rows(), content.bonds.size(), content.bond_types);
+  fmt::print(out, "{} {} xlo xhi\n{} {} ylo yhi\n-0.5 0.5 zlo zhi\n\n", low(0), high(0), low(1),
+             high(1));
+  fmt::print(out, "Masses\n\n1 {}\n\n", content.mass);
+}
+
+void print_atoms(const Content& content, std::ostream& out) {
+  const PointArray& points = content.points;
+  fmt::print(out, "Atoms # {}\n\n", content.atom_style);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    fmt::print(out, "{} 1 1 {} {} 0\n", i + 1, points(i, 0), points(i, 1));
+  }
+}
+
+void print_bonds(const Content& content, std::ostream& out) {
+  const std::vector<Bond>& bonds = content.bonds;
+  fmt::print(out, "\nBonds\n\n");
+  for (std::size_t k = 0; k < bonds.size(); ++k) {
+    fmt::print(out, "{} {} {} {}\n", k + 1, content.bond_types == 1 ? 1 : k + 1, bonds[k].first + 1,
+               bonds[k].second + 1);
+  }
+}
+
 void write(const Content& content, const std::filesystem::path& path) {
-  const auto& [title, atom_style, points, bonds, mass, margin, bond_types] = content;
-  const Size low = points.colwise().minCoeff() - margin;
-  const Size high = points.colwise().maxCoeff() + margin;
   write_file(path, [&](std::ostream& out) {
-    fmt::print(out, "{}\n\n{} atoms\n{} bonds\n1 atom types\n{} bond types\n\n", title,
-               points.rows(), bonds.size(), bond_types);
-    fmt::print(out, "{} {} xlo xhi\n{} {} ylo yhi\n-0.5 0.5 zlo zhi\n\n", low(0), high(0), low(1),
-               high(1));
-    fmt::print(out, "Masses\n\n1 {}\n\nAtoms # {}\n\n", mass, atom_style);
-    for (Eigen::Index i = 0; i < points.rows(); ++i) {
-      fmt::print(out, "{} 1 1 {} {} 0\n", i + 1, points(i, 0), points(i, 1));
-    }
-    fmt::print(out, "\nBonds\n\n");
-    for (std::size_t k = 0; k < bonds.size(); ++k) {
-      fmt::print(out, "{} {} {} {}\n", k + 1, bond_types == 1 ? 1 : k + 1, bonds[k].first + 1,
-                 bonds[k].second + 1);
-    }
+    print_header(content, out);
+    print_atoms(content, out);
+    print_bonds(content, out);
   });
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <vector>
 
 #include "run/expected_time.hpp"
 #include "run/run.hpp"
@@ -101,7 +102,7 @@ std::uint64_t most_steps(const Composition& composition) {
 
 Scene scene_for_lammps(Scene scene) {
   const IntegratorKind integrator = scene.numerics.integrator;
-  const std::tuple<const char*, bool, const char*> demands[] = {
+  const std::vector<std::tuple<const char*, bool, const char*>> demands{
       {"scene", scene.kind == SceneKind::kCollision, "collision"},
       {"wall.type", scene.wall.kind == WallKind::kPotential, "potential"},
       {"material.eta", scene.material.eta == 0.0, "0"},

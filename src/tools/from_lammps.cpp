@@ -15,7 +15,7 @@ namespace {
 
 Scene scene_in(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "scene.yaml";
-  const Scene scene = scene_for_lammps(parse_single_scene(load_keys(file)));
+  Scene scene = scene_for_lammps(parse_single_scene(load_keys(file)));
   if (!scene.numerics.step) {
     throw InputError(
         fmt::format("{}: numerics.step: got auto, allowed: the step of the run", file.string()));
