@@ -117,6 +117,8 @@ RULES = (
     (r'rosrun lattice_impact reproduce ', start),
     (r'rosrun lattice_impact (work_precision|stability|accuracy_check) ', start),
     (r'rosrun lattice_impact plot_figures ', pass_over),
+    (r'rosrun lattice_impact to_lammps ', run((r'points=\d+', 'points=100'))),
+    (r'rosrun lattice_impact from_lammps |(srun|mpirun) ', pass_over),
     (r'rosrun lattice_impact (analyse_bag|convert|units) ', run()),
     (r'rosrun lattice_impact plot_(impact|sweep) .*--animate', start),
     (r'rosrun lattice_impact plot_(impact|sweep) ', run()),

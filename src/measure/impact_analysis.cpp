@@ -56,6 +56,11 @@ void ImpactAnalysis::add(const State& state, const std::vector<State>& others) {
   if (!before_) before_ = latest_;
 }
 
+void ImpactAnalysis::add(const BodyMotion& motion) {
+  latest_ = {motion, {}};
+  before_ = before_.value_or(latest_);
+}
+
 /// With the velocity that free flight has there; NaN if it does not come so high.
 BodyMotion ImpactAnalysis::where_it_touches(BodyMotion motion) const {
   double& v = motion.velocity.y();

@@ -76,6 +76,8 @@ class ImpactAnalysis {
 
   /// Of the disk and of those bodies that it meets and that are free, as it is; the last one last.
   void add(const State& state, const std::vector<State>& others = {});
+  /// The same of a disk of which no more is known, at a wall and without gravity.
+  void add(const BodyMotion& motion);
   void add(const ContactReport& report);
 
   /// `separated`: the last state given is one after the disk has left for good.

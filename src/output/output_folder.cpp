@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <stdexcept>
 #include <utility>
 
@@ -38,6 +39,14 @@ ResultFiles::~ResultFiles() {
 
 std::filesystem::path ResultFiles::beside(const std::string& name) const {
   return folder_ / (name + ".part");
+}
+
+void ResultFiles::write(const std::string& name, const std::string& text) const {
+  std::ofstream file(beside(name), std::ios::binary);
+  file << text;
+  if (!file.flush()) {
+    throw std::runtime_error(fmt::format("{} cannot be written", beside(name).string()));
+  }
 }
 
 void ResultFiles::take_their_places() {

@@ -41,6 +41,10 @@ class ResultFiles {
   /// Where to write this one of the files.
   std::filesystem::path beside(const std::string& name) const;
 
+  /// Writes all of this one of the files.
+  /// @throw std::runtime_error when that cannot be.
+  void write(const std::string& name, const std::string& text) const;
+
   /// Takes the earlier result out of the folder and puts in the files that have been written.
   /// @throw std::runtime_error when that cannot be; the first file of `names` comes last, so that
   /// a folder that has it has the whole result.

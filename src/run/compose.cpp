@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,8 @@ namespace {
 
 /// Of a static solution, an iteration of which counts as a step.
 constexpr Resolution kNoMotion{IntegratorKind::kNewton, 1.0, 0.0};
+
+constexpr int kMostToSimulate = 1000000;
 
 /// The ends are drawn apart by grips that hold x and let y go, so that they do not hinder the
 /// lateral contraction.
@@ -214,6 +217,11 @@ State start_of(const Composition& composition, const Resolution& resolution) {
 }
 
 void refuse_impossible(const Scene& scene) {
+  const int points = scene.disk.recipe.points;
+  if (points > kMostToSimulate && scene.disk.file.empty()) {
+    throw bad_value("disk.points", std::to_string(points),
+                    fmt::format("at most {}; to_lammps takes more", kMostToSimulate));
+  }
   refuse_missing_integrator(scene);
   if (scene.has_recipes_only()) refuse_if_too_long(scene);
 }

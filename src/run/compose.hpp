@@ -22,8 +22,9 @@ struct Composition {
   double expected_time = 0.0;  ///< rough time at which the run's question is answered, R/c
 };
 
-/// @throw InputError for what is known before the bodies are made: as refuse_missing_integrator()
-/// and, where they are made by recipes, refuse_if_too_long().
+/// @throw InputError for what is known before the bodies are made: for a disk of more than 10⁶
+/// points by recipe, as refuse_missing_integrator() and, where they are made by recipes,
+/// refuse_if_too_long().
 void refuse_impossible(const Scene& scene);
 
 /// @throw InputError as refuse_impossible(), for a lattice that cannot be used, and for a given

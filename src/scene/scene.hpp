@@ -133,10 +133,11 @@ struct Scene {
   /// The points of each disk of a row below a first one of so many; empty: as its file has them.
   std::optional<int> points_of_row_disk(double first_points) const {
     constexpr int kFewest = 3;
+    constexpr double kMost = 1e9;  // more than any program takes
     if (wall.mirrored) return static_cast<int>(first_points);
     if (!wall.file.empty()) return std::nullopt;
-    return std::max(kFewest,
-                    static_cast<int>(std::round(first_points * wall.radius * wall.radius)));
+    const double points = std::round(first_points * wall.radius * wall.radius);
+    return std::max(kFewest, static_cast<int>(std::min(points, kMost)));
   }
   bool is_row() const { return hits_disk() && wall.disks > 1; }
   /// Of those bodies that the disk meets and that are made of points.

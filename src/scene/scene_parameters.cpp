@@ -66,8 +66,9 @@ Keys scene_keys() {
 Keys disk_keys() {
   return {
       whole<Scene>(
-          "disk.points", 3, 1000000,
-          "number N of mass points, rim included; sets the density of a stretched "
+          "disk.points", 3, 100000000,
+          "number N of mass points, rim included, above 1000000 for LAMMPS only (to_lammps); sets "
+          "the density of a stretched "
           "rectangle and of an elastic wall",
           [](auto& s) -> auto& { return s.disk.recipe.points; }),
       choice<Scene, Placement>(
@@ -438,6 +439,13 @@ Scene parse_scene(const FlatTree& keys, const std::vector<std::string>& other_na
   read_parameters(scene_parameters(), keys, scene, other_names);
   check_combination(scene);
   return scene;
+}
+
+Scene parse_single_scene(const FlatTree& keys) {
+  for (const auto& [key, value] : keys) {
+    if (value.IsSequence()) throw bad_value(key, one_line(value), "one value; sweep takes several");
+  }
+  return parse_scene(keys);
 }
 
 std::vector<Scene> parse_combinations(FlatTree keys, const std::vector<KeyValues>& lists,

@@ -25,6 +25,10 @@ std::string name_of(IntegratorKind kind);
 /// @throw InputError as read_parameters(), and for values that do not go together.
 Scene parse_scene(const FlatTree& keys, const std::vector<std::string>& other_names = {});
 
+/// The same of keys that hold one value each.
+/// @throw InputError as parse_scene(), and for a list of values, which is a series.
+Scene parse_single_scene(const FlatTree& keys);
+
 /// The most scenes that a series has.
 constexpr std::size_t kMostScenes = 100'000;
 

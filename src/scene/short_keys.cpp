@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "scene/keys.hpp"
+#include "scene/scene_files.hpp"
 #include "scene/scene_parameters.hpp"
 
 namespace impact {
@@ -103,6 +104,12 @@ void override_keys(FlatTree& keys, const std::vector<std::string>& assignments) 
   for (const auto& [key, value] : with_full_keys(keys, std::move(parsed))) {
     keys[key].reset(parse_value(key, value));
   }
+}
+
+FlatTree keys_of_scene(const std::string& scene, const std::vector<std::string>& assignments) {
+  FlatTree keys = load_keys(scene_path(scene));
+  override_keys(keys, assignments);
+  return keys;
 }
 
 }  // namespace impact

@@ -25,4 +25,8 @@ std::vector<Assignment> with_full_keys(FlatTree keys, std::vector<Assignment> as
 /// @throw InputError when one is not of the form key=value, and as with_full_keys().
 void override_keys(FlatTree& keys, const std::vector<std::string>& assignments);
 
+/// The keys of a scene file, or of a scene by its name, with these assignments.
+/// @throw InputError as scene_path(), load_keys() and override_keys().
+FlatTree keys_of_scene(const std::string& scene, const std::vector<std::string>& assignments);
+
 }  // namespace impact

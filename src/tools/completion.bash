@@ -32,11 +32,11 @@ _lattice_impact_complete() {
     words="sweep reproduce"
   elif [[ $program == */units ]]; then
     words=$("$program" --help | sed -n 's/^  \([a-z_]*\).*  (.*/\1=/p')
-  elif [[ $program == */impact || $program == */sweep ]] && [ $# = 2 ]; then
+  elif [[ $program == */impact || $program == */sweep || $program == */to_lammps ]] && [ $# = 2 ]; then
     folder=$(_lattice_impact_folder share/lattice_impact/launch/scenes)
     words=$(basename -a -s .yaml "$folder"/*.yaml)
     compopt -o default
-  elif [[ $program == */impact || $program == */sweep ]]; then
+  elif [[ $program == */impact || $program == */sweep || $program == */to_lammps ]]; then
     words=$("${program%/*}/impact" "$scene" --keys 2> /dev/null |
             sed -n 's/^  \([a-zA-Z_.0-9]*\) = .*/\1=/p')
   fi
@@ -60,4 +60,4 @@ _lattice_impact_rosrun() {
 complete -F _lattice_impact_rosrun rosrun
 # Other packages have a convert and units too.
 complete -F _lattice_impact impact sweep reproduce work_precision stability accuracy_check \
-  analyse_bag plot_figures plot_impact plot_sweep submit
+  analyse_bag plot_figures plot_impact plot_sweep submit to_lammps from_lammps

@@ -1,7 +1,5 @@
 // One run of a scene without a ROS master: its result on stdout, progress on stderr.
 
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,8 +12,6 @@
 #include "output/result_text.hpp"
 #include "run/compose.hpp"
 #include "run/forecast.hpp"
-#include "scene/keys.hpp"
-#include "scene/scene_files.hpp"
 #include "scene/scene_parameters.hpp"
 #include "scene/short_keys.hpp"
 #include "series/convergence_study.hpp"
@@ -87,12 +83,6 @@ void tell_if_long(const ConvergenceStudy& study) {
   fmt::print(stderr, "impact: this scene will take about {}\n", text(expected));
 }
 
-void write_file(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  if (!file.flush()) throw std::runtime_error(fmt::format("{} cannot be written", path.string()));
-}
-
 /// Of the body of this number; 0: the disk.
 std::string lattice_file(std::size_t body) {
   return (body == 0 ? "lattice" : name_of_body(body)) + ".data";
@@ -112,9 +102,9 @@ struct Output {
 void write_result(const ConvergenceStudy& study, const std::string& result, const History& history,
                   ResultFiles& files) {
   const double mass = study.run().system().field().point_mass;
-  write_file(files.beside("result.yaml"), result);
-  write_file(files.beside("scene.yaml"), to_yaml(study.scene()));
-  write_file(files.beside("history.csv"), history.csv());
+  files.write("result.yaml", result);
+  files.write("scene.yaml", to_yaml(study.scene()));
+  files.write("history.csv", history.csv());
   const std::vector<BodyOfScene>& bodies = study.run().bodies();
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     write_lammps_data(bodies[k].lattice, mass, files.beside(lattice_file(k)));
@@ -122,23 +112,10 @@ void write_result(const ConvergenceStudy& study, const std::string& result, cons
   files.take_their_places();
 }
 
-FlatTree keys_of(const std::string& scene_file, const std::vector<std::string>& assignments) {
-  FlatTree keys = load_keys(scene_path(scene_file));
-  override_keys(keys, assignments);
-  return keys;
-}
-
 void check(const FlatTree& keys) {
   for (const Scene& scene : parse_series(keys)) {
     refuse_impossible(scene);
   }
-}
-
-Scene single_scene(const FlatTree& keys) {
-  for (const auto& [key, value] : keys) {
-    if (value.IsSequence()) throw bad_value(key, one_line(value), "one value; sweep takes several");
-  }
-  return parse_scene(keys);
 }
 
 /// How the result came about, in a line.
@@ -165,7 +142,7 @@ std::string text_of(const ConvergenceStudy& study, const Result& result,
 
 void perform(const FlatTree& keys, const Options& options) {
   if (options.keep_states && options.folder.empty()) throw InputError("--states needs --output");
-  const Scene scene = single_scene(keys);
+  const Scene scene = parse_single_scene(keys);
   std::optional<SiUnits> si;
   if (!options.real_disk.empty()) si.emplace(parse_real_disk(options.real_disk), scene);
   std::optional<Output> output;
@@ -194,7 +171,7 @@ void perform(const FlatTree& keys, const Options& options) {
 }
 
 void list_keys(const FlatTree& keys) {
-  fmt::print("{}", parameter_list(scene_parameters(), single_scene(keys)));
+  fmt::print("{}", parameter_list(scene_parameters(), parse_single_scene(keys)));
 }
 
 }  // namespace
@@ -225,7 +202,7 @@ int main(int argc, char** argv) {
                  "or with mass, wave_speed instead; see the program units");
   impact::offer_formats(app, options.format);
   return impact::run_tool(app, argc, argv, [&] {
-    const impact::FlatTree keys = impact::keys_of(scene_file, assignments);
+    const impact::FlatTree keys = impact::keys_of_scene(scene_file, assignments);
     if (list_only) return impact::list_keys(keys);
     check_only ? impact::check(keys) : impact::perform(keys, options);
   });

@@ -1,5 +1,5 @@
 // The steps of a scene and nothing else, for the comparison with other programs: their wall time as
-// YAML on stdout and, if asked for, the lattice and where its points are in the end.
+// YAML on stdout and, if asked for, where the points are in the end.
 
 #include <fmt/format.h>
 
@@ -12,7 +12,6 @@
 
 #include "kernels/kernels.hpp"
 #include "lattice/input_error.hpp"
-#include "lattice/lammps_data.hpp"
 #include "mechanics/simulation.hpp"
 #include "output/program.hpp"
 #include "run/compose.hpp"
@@ -66,22 +65,16 @@ int main(int argc, char** argv) {
   std::uint64_t steps = 0;
   std::vector<std::string> assignments;
   std::string instructions;
-  std::string lattice_file;
   std::string positions_file;
   app.add_option("scene", scene_file, "scene file")->required();
   app.add_option("steps", steps, "how many")->required();
   app.add_option("assignments", assignments, "key=value, replaces that key of the scene");
   app.add_option("--instructions", instructions, "AVX-512, AVX2 or plain; the best unless given");
-  app.add_option("--lattice", lattice_file, "LAMMPS data file to write the lattice to");
   app.add_option("--positions", positions_file, "file to write the final positions to");
   return impact::run_tool(app, argc, argv, [&] {
     if (!instructions.empty()) impact::choose_kernels(impact::kernels_named(instructions));
     const impact::Scene scene = impact::scene_of(scene_file, assignments);
     impact::Composition composition = impact::compose(scene);
-    if (!lattice_file.empty()) {
-      impact::write_lammps_data(composition.bodies->disk(), composition.field.point_mass,
-                                lattice_file);
-    }
     const std::size_t bonds = composition.bodies->disk().bonds.size();
     impact::Simulation simulation = impact::simulation_of(scene, std::move(composition));
     const double seconds = impact::time_of(simulation, steps);

@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -59,6 +60,11 @@ class LammpsData : public testing::Test {
   static std::string altered(const std::string& from, const std::string& to) {
     std::string text = kTriangle;
     return text.replace(text.find(from), from.size(), to);
+  }
+
+  std::string text_of_file() const {
+    std::ifstream file(path_);
+    return {std::istreambuf_iterator<char>(file), {}};
   }
 
   std::filesystem::path path_;
@@ -196,8 +202,29 @@ TEST_F(LammpsData, ReadsWhatGzipHasPacked) {
   EXPECT_INPUT_ERROR(read_lammps_data(path_), "cannot be read");
 }
 
+/// Where the disk is, in a box 0.1 R wider, each bond of its own type.
+TEST_F(LammpsData, WritesADiskAtItsStart) {
+  const Lattice lattice = read(kTriangle);
+  write_lammps_start(lattice, 2.0 * lattice.points, 0.25, path_);
+  const std::string text = text_of_file();
+  for (const char* const part : {"\n3 atoms\n3 bonds\n1 atom types\n3 bond types\n",
+                                 "\n-0.1 2.1 xlo xhi\n-0.1 2.1 ylo yhi\n", "\nMasses\n\n1 0.25\n",
+                                 "\nAtoms # bond\n\n1 1 1 0 0 0\n2 1 1 2 0 0\n3 1 1 1 2 0\n",
+                                 "\nBonds\n\n1 1 1 2\n2 2 1 3\n3 3 2 3\n"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  }
+}
+
+/// E = K₂ x² + K₃ x³ + K₄ x⁴ is k_a x²/2 + k_b x⁴/4.
+TEST_F(LammpsData, WritesTheLawOfEachBond) {
+  write_lammps_bonds({1.0, 0.1 + 0.2}, 3.0, 0.5, path_);
+  EXPECT_EQ(text_of_file(),
+            "bond_coeff 1 1 1.5 0 0.125\nbond_coeff 2 0.30000000000000004 1.5 0 0.125\n");
+}
+
 TEST_F(LammpsData, SaysWhenItCannotWrite) {
   const Lattice lattice = read(kTriangle);
+  EXPECT_INPUT_ERROR(write_lammps_bonds({1.0}, 1.0, 0.0, "/dev/full"), "cannot be written");
   EXPECT_INPUT_ERROR(write_lammps_data(lattice, 1.0, "/nowhere/file.data"), "cannot be written");
 }
 

@@ -22,6 +22,22 @@ State lowered(State state, double way) {
   return state;
 }
 
+TEST(ImpactAnalysis, NeedsNoPointsAtAWall) {
+  ImpactAnalysis of_states;
+  ImpactAnalysis of_motions;
+  for (const double v : {-2.0, 1.5}) {
+    const State state = square_with_velocity(0.25, v, 0.5 * v);
+    of_states.add(state);
+    of_motions.add(body_motion(state.position, state.velocity));
+  }
+  const Restitution expected = of_states.restitution(true);
+  const Restitution result = of_motions.restitution(true);
+  EXPECT_EQ(result.restitution, 0.75);
+  EXPECT_EQ(result.spin_after, expected.spin_after);
+  EXPECT_EQ(result.energy_restitution, expected.energy_restitution);
+  EXPECT_EQ(result.tangential_restitution, expected.tangential_restitution);
+}
+
 /// A triangular pulse of height 2 and base 2 about t = 2.
 double force(double time) { return std::max(0.0, 2.0 - 2.0 * std::abs(time - 2.0)); }
 

@@ -53,6 +53,12 @@ TEST(Compose, BuildsOnlyTheTermsOfAContact) {
   EXPECT_EQ(terms(scene), names);
 }
 
+TEST(Compose, RefusesDisksThatAreForLammpsOnly) {
+  Scene scene;
+  scene.disk.recipe.points = 1000001;
+  EXPECT_INPUT_ERROR(compose(scene), "disk.points: got 1000001, allowed: at most 1000000");
+}
+
 /// Over the lowest point to rounding, in a lattice of the same bonds with the same lengths.
 TEST(Compose, BalancesTheDisk) {
   Scene scene;

@@ -249,5 +249,11 @@ TEST(Documents, HaveTheSceneKeys) {
   expect_document_has("parameters.md", "scene keys", markdown_table(scene_parameters(), Scene{}));
 }
 
+TEST(SceneParameters, ASingleSceneHasNoLists) {
+  EXPECT_EQ(parse_single_scene(flatten(YAML::Load("{scene: collision, seed: 3}"))).seed, 3U);
+  EXPECT_INPUT_ERROR(parse_single_scene(flatten(YAML::Load("{scene: collision, seed: [1, 2]}"))),
+                     "seed: got [1, 2], allowed: one value");
+}
+
 }  // namespace
 }  // namespace impact

@@ -69,5 +69,11 @@ TEST(WithFullKeys, TakesLists) {
             "wall.boundary");
 }
 
+TEST(KeysOfScene, AreThoseOfTheFileAndTheAssignments) {
+  const std::string file = std::string(SOURCE_DIR) + "/launch/scenes/collision.yaml";
+  EXPECT_EQ(parse_scene(keys_of_scene(file, {"velocity=0.05"})).impact.velocity, 0.05);
+  EXPECT_INPUT_ERROR(keys_of_scene("/nowhere.yaml", {}), "/nowhere.yaml");
+}
+
 }  // namespace
 }  // namespace impact

@@ -16,7 +16,7 @@ import yaml
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 PROGRAMS = pathlib.Path(sys.argv.pop(1))
 TOOLS = ('impact', 'sweep', 'units', 'reproduce', 'work_precision', 'stability', 'accuracy_check',
-         'analyse_bag')
+         'analyse_bag', 'to_lammps', 'from_lammps')
 SCRIPTS = ('convert', 'plot_figures', 'plot_impact', 'plot_sweep', 'submit')
 NODES = ('simulation_node', 'analysis_node', 'recorder_node', 'replay_node', 'viewer_node')
 SMALL = ('collision', 'points=100', 'velocity=0.05')
