@@ -178,21 +178,26 @@ void write_pressure(const Reproduction& reproduction, const ElasticDisk& disk) {
 
 }  // namespace
 
-void reproduce_figure2(const Reproduction& reproduction, const Material& material) {
-  const std::vector<ContactCase> all = contact_cases();
+std::vector<Scene> scenes_of_figure2(int lattices) {
   std::vector<Scene> scenes;
-  for (const ContactCase& one : all) {
+  for (const ContactCase& one : contact_cases()) {
     const std::vector<Scene> loads = loaded(one.scene);
     scenes.insert(scenes.end(), loads.begin(), loads.end());
   }
+  return with_seeds(scenes, lattices);
+}
+
+void reproduce_figure2(const Reproduction& reproduction, const Material& material) {
+  const std::vector<ContactCase> all = contact_cases();
   const std::vector<Row> rows =
-      simulate(reproduction, "figure2", with_seeds(scenes, reproduction.lattices));
+      simulate(reproduction, "figure2", scenes_of_figure2(reproduction.lattices));
 
   Table fits({"case", "young_modulus", "poisson_ratio", "lattices", "b", "b_sampling_error",
               "b_fit_error", "residual", "theory", "inertial_load", "paper"});
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Ensemble curves =
-        ensemble(every(rows, k * kLoads.size(), kLoads.size(), scenes.size()), load_of, "strain");
+        ensemble(every(rows, k * kLoads.size(), kLoads.size(), all.size() * kLoads.size()), load_of,
+                 "strain");
     const ElasticDisk& disk = material.of(all[k].scene.disk.recipe.placement);
     const EnsembleFit fit = fit_ensemble(
         curves, [&disk](const std::vector<DataPoint>& points) { return fit_hertz(points, disk); });

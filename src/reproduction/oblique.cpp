@@ -173,10 +173,14 @@ bool has_answer(const Row& row) { return is_sound(flags_of(row)); }
 
 }  // namespace
 
+std::vector<Scene> scenes_of_oblique(int lattices, const ObliqueThrows& throws) {
+  return with_seeds(planned_throws(throws).scenes, lattices);
+}
+
 void reproduce_oblique(const Reproduction& reproduction, const ObliqueThrows& throws) {
   const Plan plan = planned_throws(throws);
   const std::vector<Row> rows =
-      simulate(reproduction, "oblique", with_seeds(plan.scenes, reproduction.lattices));
+      simulate(reproduction, "oblique", scenes_of_oblique(reproduction.lattices, throws));
 
   Table means = table_of_oblique_means();
   Table singles = table_of_oblique_impacts();

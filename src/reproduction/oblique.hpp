@@ -23,6 +23,9 @@ struct ObliqueThrows {
   std::vector<double> tangents{0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 7.0, 10.0};
 };
 
+/// What they simulate, over all seeds.
+std::vector<Scene> scenes_of_oblique(int lattices, const ObliqueThrows& throws = {});
+
 /// Not of the paper: e over tan γ, the slope of the surface under the contact, and what e is
 /// according to it, see restitution_on_slope() (oblique.csv, oblique_impacts.csv). e₀ is that of a
 /// straight impact of the same lattices with the velocity v cos γ. A lattice counts where both

@@ -52,7 +52,8 @@ void draw_lattices(const Reproduction& reproduction);
 /// (figure2.csv, figure2_fits.csv, figure2_pressure.csv).
 void reproduce_figure2(const Reproduction& reproduction, const Material& material);
 
-/// What figures 3 and 6 simulate, over all seeds.
+/// What figures 2, 3 and 6 simulate, over all seeds.
+std::vector<Scene> scenes_of_figure2(int lattices);
 std::vector<Scene> scenes_of_figure3(int lattices);
 std::vector<Scene> scenes_of_figure6(int lattices);
 

@@ -1,9 +1,11 @@
 // The figures of the paper and oblique impacts, over an ensemble of lattices, as CSV and as plots.
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "output/interruption.hpp"
 #include "output/output_folder.hpp"
@@ -17,14 +19,7 @@
 namespace impact {
 namespace {
 
-void reproduce(const std::string& figure, const Reproduction& reproduction) {
-  const OutputFolder output(reproduction.folder);
-  take_interruptions();
-  if (figure == "oblique") {
-    reproduce_oblique(reproduction);
-    break_off_if_interrupted();
-    plot(reproduction.folder, figure);
-  }
+void reproduce_paper(const std::string& figure, const Reproduction& reproduction) {
   const bool all = figure == "all";
   const Material material = measure_material(reproduction);
   break_off_if_interrupted();
@@ -32,18 +27,34 @@ void reproduce(const std::string& figure, const Reproduction& reproduction) {
   if (all || figure == "figure2") reproduce_figure2(reproduction, material);
   if (all || figure == "figure3") reproduce_figure3(reproduction, material);
   if (all || figure == "figure6") reproduce_figure6(reproduction, material);
+}
+
+void reproduce(const std::string& figure, const Reproduction& reproduction) {
+  const OutputFolder output(reproduction.folder);
+  take_interruptions();
+  if (figure == "oblique") {
+    reproduce_oblique(reproduction);
+  } else {
+    reproduce_paper(figure, reproduction);
+  }
   break_off_if_interrupted();
   plot(reproduction.folder, figure);
 }
 
-/// The runs of a figure that is an ensemble of impacts.
+/// What each figure simulates over so many lattices.
+const std::map<std::string, std::vector<Scene> (*)(int lattices)> kSeries{
+    {"figure2", scenes_of_figure2},
+    {"figure3", scenes_of_figure3},
+    {"figure6", scenes_of_figure6},
+    {"oblique", [](int lattices) { return scenes_of_oblique(lattices); }}};
+
 ShardedSeries shards_of(const std::string& figure, const Reproduction& reproduction) {
-  if (figure != "figure3" && figure != "figure6") {
-    throw InputError(figure + ": is not divided into shards, allowed: figure3 or figure6");
+  const auto series = kSeries.find(figure);
+  if (series == kSeries.end()) {
+    throw InputError(figure +
+                     ": is not divided into shards, allowed: figure2, figure3, figure6 or oblique");
   }
-  return {figure == "figure3" ? scenes_of_figure3(reproduction.lattices)
-                              : scenes_of_figure6(reproduction.lattices),
-          reproduction.folder / (figure + "_shards")};
+  return {series->second(reproduction.lattices), reproduction.folder / (figure + "_shards")};
 }
 
 void reproduce_in_shards(const std::string& figure, const Reproduction& reproduction,

@@ -130,13 +130,13 @@ class KeyboardTest(unittest.TestCase):
                                 '--shard', '1/2')
 
     def test_shards_of_figures(self):
-        for figure, runs in (('figure3', 220), ('figure6', 180)):
+        for figure, runs in (('figure2', 112), ('figure3', 220), ('figure6', 180), ('oblique', 132)):
             status = json.loads(self.output_of('reproduce', figure, '--lattices', '2', '--output',
                                                '/nowhere', '--status', '--json'))
             self.assertEqual((status['runs'], status['shards']), (runs, 0))
             self.assertEqual(status['folder'], '/nowhere/' + figure + '_shards')
-        self.assert_refused('figure2: is not divided into shards, allowed: figure3 or figure6',
-                            'reproduce', 'figure2', '--output', '/nowhere', '--status')
+        self.assert_refused('all: is not divided into shards, allowed: figure2, figure3, '
+                            'figure6 or oblique', 'reproduce', 'all', '--output', '/nowhere', '--status')
 
     def test_keys_of_a_scene(self):
         text = self.output_of('impact', 'collision', '--keys', 'velocity=0.02')
