@@ -7,24 +7,13 @@
 #include "lattice/triangulation.hpp"
 
 namespace impact {
-namespace {
-
-PointArray in_order(const PointArray& points, const std::vector<std::int32_t>& order) {
-  PointArray ordered(points.rows(), 2);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    ordered.row(static_cast<Eigen::Index>(i)) = points.row(order[i]);
-  }
-  return ordered;
-}
-
-}  // namespace
 
 Lattice triangulated_lattice(const PointArray& points) {
   require_area(points);
   // Along a curve first: where the points lie in memory at random, the next steps take twice as
   // long at N = 10⁶.
-  const PointArray along_curve = in_order(points, hilbert_order(points));
-  std::vector<Bond> bonds = delaunay_bonds(along_curve);
+  const PointArray along_curve = points(hilbert_order(points), Eigen::all);
+  std::vector<Bond> bonds = delaunay_bonds_in_order(along_curve);
   const std::vector<std::int32_t> order =
       grouped_by_bonds(storage_order(points.rows(), bonds), bonds);
 
@@ -37,7 +26,7 @@ Lattice triangulated_lattice(const PointArray& points) {
     const std::int32_t second = new_index[static_cast<std::size_t>(bond.second)];
     bond = {std::min(first, second), std::max(first, second)};
   }
-  return make_lattice(in_order(along_curve, order), std::move(bonds));
+  return make_lattice(along_curve(order, Eigen::all), std::move(bonds));
 }
 
 }  // namespace impact

@@ -25,29 +25,42 @@ using IndexedPoint = std::pair<Kernel::Point_2, std::int32_t>;
 using SortTraits =
     CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pair_property_map<IndexedPoint>>;
 
-std::vector<IndexedPoint> along_hilbert_curve(const PointArray& points) {
+std::vector<IndexedPoint> with_indices(const PointArray& points) {
   std::vector<IndexedPoint> indexed;
   indexed.reserve(static_cast<std::size_t>(points.rows()));
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     indexed.emplace_back(Kernel::Point_2(points(i, 0), points(i, 1)), static_cast<std::int32_t>(i));
   }
-  CGAL::hilbert_sort(indexed.begin(), indexed.end(), SortTraits());
   return indexed;
 }
 
 }  // namespace
 
 std::vector<std::int32_t> hilbert_order(const PointArray& points) {
+  std::vector<IndexedPoint> indexed = with_indices(points);
+  CGAL::hilbert_sort(indexed.begin(), indexed.end(), SortTraits());
   std::vector<std::int32_t> order;
-  order.reserve(static_cast<std::size_t>(points.rows()));
-  for (const IndexedPoint& point : along_hilbert_curve(points)) order.push_back(point.second);
+  order.reserve(indexed.size());
+  for (const IndexedPoint& point : indexed) order.push_back(point.second);
   return order;
 }
 
 std::vector<Bond> delaunay_bonds(const PointArray& points) {
+  const std::vector<std::int32_t> order = hilbert_order(points);
+  std::vector<Bond> bonds = delaunay_bonds_in_order(points(order, Eigen::all));
+  for (Bond& bond : bonds) {
+    const auto [a, b] = std::minmax(order[static_cast<std::size_t>(bond.first)],
+                                    order[static_cast<std::size_t>(bond.second)]);
+    bond = {a, b};
+  }
+  std::sort(bonds.begin(), bonds.end());
+  return bonds;
+}
+
+std::vector<Bond> delaunay_bonds_in_order(const PointArray& points) {
   // CGAL's own range insertion shuffles the points by a generator that lives as long as the
   // program, so a second lattice of the same seed could differ. A Hilbert curve needs no shuffling.
-  std::vector<IndexedPoint> indexed = along_hilbert_curve(points);
+  std::vector<IndexedPoint> indexed = with_indices(points);
   Triangulation triangulation;
   Triangulation::Face_handle hint;
   for (const IndexedPoint& point : indexed) {

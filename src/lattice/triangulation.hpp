@@ -16,4 +16,7 @@ std::vector<std::int32_t> hilbert_order(const PointArray& points);
 /// @throw InputError when two points coincide.
 std::vector<Bond> delaunay_bonds(const PointArray& points);
 
+/// The same of points that follow each other as in hilbert_order(): of others it takes longer.
+std::vector<Bond> delaunay_bonds_in_order(const PointArray& points);
+
 }  // namespace impact
