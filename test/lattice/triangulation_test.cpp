@@ -39,6 +39,11 @@ TEST(DelaunayBonds, AreTheSameEveryTime) {
   EXPECT_EQ(delaunay_bonds(points), delaunay_bonds(points));
 }
 
+TEST(DelaunayBonds, AreTheSameInAnyOrder) {
+  const PointArray points = place_in_disk({}, 7);
+  EXPECT_EQ(delaunay_bonds(points), delaunay_bonds_in_order(points));
+}
+
 TEST(DelaunayBonds, SayWherePointsCoincide) {
   PointArray points(5, 2);
   points << 0, 0, 1, 0, 0, 1, 1, 1, 1, 0;
