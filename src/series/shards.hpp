@@ -30,7 +30,7 @@ std::vector<std::vector<std::size_t>> divide(const std::vector<Scene>& series, s
 
 /// How far a shard is.
 struct ShardProgress {
-  Shard shard;
+  Shard shard{};
   std::size_t runs = 0;  ///< not 0
   std::size_t done = 0;
   std::size_t failed = 0;     ///< of those done
