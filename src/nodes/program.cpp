@@ -97,7 +97,7 @@ int run_node(int argc, char** argv, const NodeDescription& node, const std::func
     fmt::print(stderr, "{}: {}\n", node.name, error.what());
     return 2;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: {}\n", node.name, error.what());
+    fmt::print(stderr, "{}: {}\n", node.name, printable(error.what()));
     return 1;
   }
 }

@@ -84,7 +84,7 @@ inline int run_tool(CLI::App& app, int argc, char** argv, const std::function<vo
     fmt::print(stderr, "{}: {}\n", app.get_name(), error.what());
     return 2;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: {}\n", app.get_name(), error.what());
+    fmt::print(stderr, "{}: {}\n", app.get_name(), printable(error.what()));
     return 1;
   }
 }
