@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lattice/lammps_data.hpp"
+#include "lattice/lammps_writing.hpp"
 #include "output/interruption.hpp"
 #include "output/output_folder.hpp"
 #include "output/program.hpp"

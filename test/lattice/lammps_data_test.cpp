@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "expect_input_error.hpp"
+#include "lattice/lammps_writing.hpp"
 #include "lattice/placement.hpp"
 
 namespace impact {

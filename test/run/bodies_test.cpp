@@ -7,7 +7,7 @@
 #include <string>
 
 #include "expect_input_error.hpp"
-#include "lattice/lammps_data.hpp"
+#include "lattice/lammps_writing.hpp"
 #include "lattice/placement.hpp"
 
 namespace impact {

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "expect_input_error.hpp"
-#include "lattice/lammps_data.hpp"
+#include "lattice/lammps_writing.hpp"
 #include "lattice/placement.hpp"
 
 namespace impact {

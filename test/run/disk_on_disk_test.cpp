@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "lattice/input_error.hpp"
-#include "lattice/lammps_data.hpp"
+#include "lattice/lammps_writing.hpp"
 #include "mechanics/body_motion.hpp"
 #include "mechanics/simulation.hpp"
 #include "run/compose.hpp"

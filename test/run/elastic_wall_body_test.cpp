@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "expect_input_error.hpp"
-#include "lattice/lammps_data.hpp"
+#include "lattice/lammps_writing.hpp"
 #include "mechanics/simulation.hpp"
 
 namespace impact {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "expect_input_error.hpp"
-#include "lattice/lammps_data.hpp"
+#include "lattice/lammps_writing.hpp"
 #include "run/compose.hpp"
 #include "run/run.hpp"
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "lattice/lammps_data.hpp"
+#include "lattice/lammps_writing.hpp"
 #include "mechanics/simulation.hpp"
 #include "run/compose.hpp"
 
