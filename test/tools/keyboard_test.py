@@ -86,7 +86,7 @@ class KeyboardTest(unittest.TestCase):
         self.assertIn('restitution: ', on_a_terminal('impact', *SMALL, '--yaml'))
 
     def test_progress_on_a_terminal_has_rate_and_time_left(self):
-        text = on_a_terminal('impact', 'collision', 'points=3000', 'velocity=0.002',
+        text = on_a_terminal('impact', 'collision', 'points=10000', 'velocity=0.001',
                              'integrator=verlet')
         self.assertRegex(text, r'\r\[#*-*\] .* R/c: \d+ %, \d+ steps/s, \d+ s left')
         self.assertIn('to confirm the error', text)
