@@ -122,6 +122,9 @@ struct LaneKernels {
   LaneBondKernel cubic_damped;
   /// v += factor · f.
   void (*kick)(const double* factor, const double* f, double* v, std::int64_t size);
+  /// moved = x + factor · f.
+  void (*displace)(const double* factor, const double* f, const double* x, double* moved,
+                   std::int64_t size);
   /// The same and, with the new v, x += time · v.
   void (*kick_and_drift)(const double* factor, const double* f, const double* time, double* v,
                          double* x, std::int64_t size);
@@ -151,6 +154,9 @@ struct Kernels {
   void (*pair_up)(const double* x, const double* y, std::int64_t size, double* pairs);
   /// v += factor · f, for `size` numbers.
   void (*kick)(double factor, const double* f, double* v, std::int64_t size);
+  /// moved = x + factor · f.
+  void (*displace)(double factor, const double* f, const double* x, double* moved,
+                   std::int64_t size);
   /// The same and, with the new v, x += time · v.
   void (*kick_and_drift)(double factor, const double* f, double time, double* v, double* x,
                          std::int64_t size);

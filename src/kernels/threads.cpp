@@ -75,6 +75,11 @@ class Job {
 
 }  // namespace
 
+int threads_of_a_run() {
+  const int threads = threads_in_a_run();
+  return threads == 0 ? processors() : std::min(threads, processors());
+}
+
 void share_out(Eigen::Index count, int threads, const std::function<void(Eigen::Index)>& work) {
   const Eigen::Index helpers =
       std::min<Eigen::Index>(threads == 0 ? processors() : std::min(threads, processors()), count) -

@@ -5,12 +5,16 @@
 
 namespace impact {
 
-/// On how many threads the loops over the points of one run are shared out, in runs that the
-/// calling thread makes. 0: on as many as there are processors that the program may use.
+/// On how many threads an answer is worked out that the calling thread asks for: the loops over the
+/// points of a large run, or several runs. 0: on as many as there are processors that the program
+/// may use.
 inline int& threads_in_a_run() {
   thread_local int threads = 0;
   return threads;
 }
+
+/// threads_in_a_run(), as far as there are processors.
+int threads_of_a_run();
 
 /// Calls work(0) … work(count − 1) on several threads, of which the calling one is one; the others
 /// live as long as the program. Each takes the next piece of work when it is free and sleeps when

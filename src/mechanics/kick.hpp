@@ -20,6 +20,20 @@ inline void kick(const LaneNumbers& factor, const LaneArray& force, LaneArray& v
   kernels().lanes.kick(factor.data(), force.data(), velocity.data(), velocity.coordinates());
 }
 
+/// moved = x + factor · F.
+inline void displace(double factor, const PointArray& force, const PointArray& position,
+                     PointArray& moved) {
+  in_parts(position.rows(), [&](Eigen::Index /*part*/, Eigen::Index first, Eigen::Index size) {
+    kernels().displace(factor, force.data() + 2 * first, position.data() + 2 * first,
+                       moved.data() + 2 * first, 2 * size);
+  });
+}
+inline void displace(const LaneNumbers& factor, const LaneArray& force, const LaneArray& position,
+                     LaneArray& moved) {
+  kernels().lanes.displace(factor.data(), force.data(), position.data(), moved.data(),
+                           position.coordinates());
+}
+
 /// v += factor · F, then x += h v.
 inline void kick_and_drift(double factor, const PointArray& force, double h, PointArray& velocity,
                            PointArray& position) {

@@ -1,21 +1,33 @@
 #include "mechanics/motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace impact {
 Motion::Motion(ForceField field, State initial, const Spectrum& spectrum, double step)
-    : System(std::move(field), std::move(initial), step), spectrum_(spectrum) {}
+    : System(std::move(field), std::move(initial), step), spectrum_(spectrum) {
+  if (const Contact* const wall = field_.contact()) {
+    inner_share_ = inner_share(wall->a(), field_.first_body().points);
+  }
+}
+
+double Motion::spacing(Eigen::Index points) {
+  return std::sqrt(M_PI / static_cast<double>(points));
+}
+
+double Motion::inner_share(double a, Eigen::Index points) {
+  return std::exp(-a * kDepthOfOuterPoints * spacing(points));
+}
 
 void Motion::limit_step(const Contact& wall, double approach, const StepBound& bound) {
-  const double margin = kWallMargin * wall.moving_ends();
-  const auto limit = [&] {
-    const double force = wall.largest_force() * std::exp(wall.a() * approach * step_size_);
-    const double omega_squared =
-        spectrum_.omega_squared + margin * wall.stiffness(force) / field_.point_mass;
-    return bound.step_limit(omega_squared, spectrum_.gamma);
+  const double margin = kWallMargin * wall.moving_ends() / field_.point_mass;
+  const auto rate = [&](double step) {
+    return margin * wall.stiffness(wall.largest_force() * std::exp(wall.a() * approach * step));
   };
-  while (step_size_ > limit()) {
+  stiffest_contact_ = std::max(stiffest_contact_, rate(std::ldexp(step_size_, halvings_)));
+  while (step_size_ > bound.step_limit(spectrum_.with_contacts(rate(step_size_), inner_share_),
+                                       spectrum_.gamma)) {
     step_size_ /= 2.0;
     ticks_ *= 2;
     ++halvings_;

@@ -19,6 +19,12 @@ class Motion : public System {
  public:
   /// Times the stiffness of the wall: for what the force may grow beyond the forecast.
   static constexpr double kWallMargin = 1.5;
+  /// How deep below the outline of a body points count as outer ones, in spacings.
+  static constexpr double kDepthOfOuterPoints = 0.5;
+  /// Mean spacing of so many points of a disk, √(π/N) R.
+  static double spacing(Eigen::Index points);
+  /// Of the force on an outer point, what an inner one may meet: exp(−a depth).
+  static double inner_share(double a, Eigen::Index points);
 
  protected:
   Motion(ForceField field, State initial, const Spectrum& spectrum, double step);
@@ -30,6 +36,7 @@ class Motion : public System {
   bool reset_is_due() const;
 
   Spectrum spectrum_;
+  double inner_share_ = 1.0;
   std::uint64_t ticks_ = 0;  ///< time in units of the present step
 };
 

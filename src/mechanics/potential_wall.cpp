@@ -48,7 +48,11 @@ double PotentialWall::potential_energy(const ConstPoints& position) const {
 
 double PotentialWall::height_of_energy(const PointArray& position, double energy) const {
   const double lowest = position.col(1).minCoeff();
-  const double sum = (-a() * (position.col(1) - lowest)).exp().sum();
+  const double reach = law().reach;
+  double sum = 0.0;
+  for (const double height : position.col(1)) {
+    if (height - lowest < reach) sum += std::exp(-a() * (height - lowest));
+  }
   return std::log(potential_at(0.0) * sum / energy) / a();
 }
 

@@ -23,6 +23,9 @@ class System {
   double step_size() const { return step_size_; }
   /// How many times the step was halved.
   int halvings() const { return halvings_; }
+  /// What contacts were forecast to add at most to the square of a frequency, in steps as long as
+  /// the first one (c²/R²).
+  double stiffest_contact() const { return stiffest_contact_; }
 
   virtual double kinetic_energy() const;  ///< of all points, M c²
   virtual ModelError model_error() const { return {}; }
@@ -39,6 +42,7 @@ class System {
   mutable State state_;  ///< while in a lane, with positions and velocities of an earlier step
   double step_size_;
   int halvings_ = 0;
+  double stiffest_contact_ = 0.0;
   Losses losses_;
 };
 

@@ -9,6 +9,7 @@
 #include "lattice/input_error.hpp"
 #include "lattice/placement.hpp"
 #include "mechanics/body.hpp"
+#include "mechanics/motion.hpp"
 #include "run/balance.hpp"
 #include "run/elastic_wall_body.hpp"
 #include "run/file_lattice.hpp"
@@ -108,8 +109,23 @@ Lattice joined_from(std::size_t first, const std::vector<BodyOfScene>& bodies) {
   return all;
 }
 
-Spectrum unit_spectrum(const Lattice& lattice, bool damped) {
-  return lattice_spectrum(lattice, {1.0, 0.0, damped ? 1.0 : 0.0}, 1.0);
+/// Of the bodies, one after another.
+std::vector<std::int32_t> outer_points(const std::vector<BodyOfScene>& bodies) {
+  const double depth =
+      Motion::kDepthOfOuterPoints * Motion::spacing(bodies.front().lattice.points.rows());
+  std::vector<std::int32_t> points;
+  std::int32_t first = 0;
+  for (const BodyOfScene& body : bodies) {
+    for (const std::int32_t point : body.triangles.outer_points(body.lattice, depth)) {
+      points.push_back(first + point);
+    }
+    first += static_cast<std::int32_t>(body.lattice.points.rows());
+  }
+  return points;
+}
+
+Spectrum unit_spectrum(const std::vector<BodyOfScene>& bodies, const Lattice& joined, bool damped) {
+  return lattice_spectrum(joined, {1.0, 0.0, damped ? 1.0 : 0.0}, 1.0, outer_points(bodies));
 }
 
 }  // namespace
@@ -138,7 +154,7 @@ std::shared_ptr<const Bodies> make_bodies(const Scene& scene) {
   }
   const Lattice lattice = joined_from(0, all);
   std::optional<Spectrum> spectrum;
-  if (!scene.is_static()) spectrum = unit_spectrum(lattice, scene.material.eta != 0.0);
+  if (!scene.is_static()) spectrum = unit_spectrum(all, lattice, scene.material.eta != 0.0);
   return std::make_shared<const Bodies>(
       Bodies{std::move(all), BondForces(lattice, BondLaw{}), spectrum, std::move(flags)});
 }
@@ -184,15 +200,17 @@ Spectrum spectrum_of(const Scene& scene, const Bodies& bodies, double point_mass
     const Spectrum disk = lattice_spectrum(bodies.disk(), law, point_mass);
     const Spectrum wall = lattice_spectrum(
         joined_from(1, bodies.all), law_of(scene, scene.wall_material(), point_mass), point_mass);
-    return {std::max(disk.omega_squared, wall.omega_squared), std::max(disk.gamma, wall.gamma)};
+    return {std::max(disk.omega_squared, wall.omega_squared), std::max(disk.gamma, wall.gamma),
+            0.0};
   }
   Spectrum unit;
   if (bodies.spectrum && (law.eta == 0.0 || bodies.spectrum->gamma > 0.0)) {
     unit = *bodies.spectrum;
   } else {
-    unit = unit_spectrum(bodies.joined(), law.eta != 0.0);
+    unit = unit_spectrum(bodies.all, bodies.joined(), law.eta != 0.0);
   }
-  return {law.k_a / point_mass * unit.omega_squared, law.eta / point_mass * unit.gamma};
+  return {law.k_a / point_mass * unit.omega_squared, law.eta / point_mass * unit.gamma,
+          law.k_a / point_mass * unit.stiffened};
 }
 
 }  // namespace impact

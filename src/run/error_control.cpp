@@ -8,6 +8,7 @@
 
 #include "measure/strain.hpp"
 #include "run/expected_time.hpp"
+#include "run/runs_ahead.hpp"
 #include "scene/scene_parameters.hpp"
 
 namespace impact {
@@ -32,6 +33,8 @@ constexpr std::size_t kRunsThatShowAnOrder = 4;
 /// The largest estimate, over numerics.error, that is accepted without a fourth run.
 constexpr double kUnconfirmed = 0.1;
 constexpr int kMostFailures = 4;
+/// Of steps, after which plans are given up.
+constexpr int kMostHalvings = 3;
 
 /// What vanishes with the error of a run.
 double step_of(const Resolution& resolution) {
@@ -66,6 +69,7 @@ FinishedImpact finished_impact(const Run& run, const Restitution& measured) {
   impact.error_by_hops =
       0.5 * (contact.hops_size() + contact.turned()) / field.impact_energy(measured.velocity_after);
   impact.step_reduced = run.system().halvings() > 0;
+  impact.stiffest_contact = run.system().stiffest_contact();
   impact.not_separated = run.has_flag(Flag::kNotSeparated);
   impact.folded = run.has_flag(Flag::kFolded);
   impact.cut_off = run.has_flag(Flag::kCutOff);
@@ -92,6 +96,24 @@ void ErrorControl::plan(const Resolution& finest) {
   planned_ = leading_up_to(scene_, finest);
   runs_.clear();
   go_on(kRefinement);
+}
+
+/// By the stiffness that the wall was seen to have. Where that does not explain the halving, or has
+/// been tried several times, just by shorter steps.
+void ErrorControl::plan_after_halving(const FinishedImpact& run) {
+  rates_.met = std::max(rates_.met.value_or(0.0), run.stiffest_contact);
+  Resolution next = first_resolution(scene_, rates_);
+  next.lift = resolution_.lift;
+  const double longest = leading_up_to(scene_, next).back().step;
+  if (longest < resolution_.step && expected_time_ / next.step <= most_steps_ &&
+      ++halvings_ <= kMostHalvings) {
+    plan(next);
+    return;
+  }
+  resolution_.step = run.step;
+  runs_.clear();
+  planned_.clear();
+  refine(kRefinement);
 }
 
 void ErrorControl::go_on(double factor) {
@@ -121,10 +143,12 @@ bool ErrorControl::accepts(const Run& run, const Restitution& measured) {
 void ErrorControl::find_resolution(const std::shared_ptr<const Composition>& composition,
                                    const std::function<bool()>& stop) {
   if (!is_controlled()) return;
+  RunsAhead ahead(scene_, composition);
   while (!accepted_ && !stop()) {
-    Run run(scene_, composition, resolution_);
+    ahead.begin(later_resolutions());
+    Run run = ahead.take(resolution_, stop);
     ImpactAnalysis analysis(scene_.gravity);
-    run.show(analysis);
+    show(composition->field, start_of(*composition, resolution_), analysis);
     try {
       while (!run.finished() && !stop()) run.advance(stop);
       run.show(analysis);
@@ -146,10 +170,7 @@ bool ErrorControl::accepts(const FinishedImpact& run) {
     give_up(fmt::format("the disk had not left the wall for good after {:.3g} R/c", run.time));
   }
   if (run.step_reduced) {
-    resolution_.step = run.step;
-    runs_.clear();
-    planned_.clear();
-    refine(kRefinement);
+    plan_after_halving(run);
     return false;
   }
   if (starts_too_near(run) || leaves_out_too_much(run)) return false;

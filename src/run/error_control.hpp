@@ -25,6 +25,7 @@ struct FinishedImpact {
   double error_by_hops = 0.0;
   ModelError model_error{};  ///< of the bodies that were moved
   bool step_reduced = false;
+  double stiffest_contact = 0.0;  ///< System::stiffest_contact()
   bool not_separated = false;
   bool folded = false;
   bool cut_off = false;
@@ -64,7 +65,8 @@ struct FinishedImpact {
 /// A start that turns out too near to the wall, since little speed is left after the impact, is
 /// raised.
 ///
-/// A run whose step was reduced on the way does not count. If runs of a method of order 2 show that
+/// A run whose step was reduced on the way does not count, but tells how stiff the wall becomes, by
+/// which the next ones are planned. If runs of a method of order 2 show that
 /// it needs more steps than expected, `auto` may go over to one of order 6.
 ///
 /// Contact: the strain of the state at rest against that after one more step of Newton's method,
@@ -116,6 +118,7 @@ class ErrorControl {
 
   bool is_controlled() const;
   void plan(const Resolution& finest);
+  void plan_after_halving(const FinishedImpact& run);
   void go_on(double factor);
   void refine(double factor);
   bool go_over(double step);
@@ -154,6 +157,7 @@ class ErrorControl {
   /// with, that may be due to them.
   int stagnations_ = 0;
   int failures_ = 0;  ///< runs that broke off
+  int halvings_ = 0;  ///< runs whose step was reduced
   bool accepted_ = false;
   bool erratic_ = false;           ///< the lattice folds or the wall is cut off
   bool irregular_ = false;         ///< contacts hop from bond to bond

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "mechanics/motion.hpp"
+
 namespace impact {
 namespace {
 
@@ -49,9 +51,7 @@ double wall_kinetic_energy(const System& system) {
   return system.field().kinetic_energy(system.field().others.front(), system.state());
 }
 
-double spacing_of(const Lattice& disk) {
-  return std::sqrt(M_PI / static_cast<double>(disk.points.rows()));
-}
+double spacing_of(const Lattice& disk) { return Motion::spacing(disk.points.rows()); }
 
 }  // namespace
 

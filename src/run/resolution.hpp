@@ -36,6 +36,9 @@ struct Rates {
   Spectrum lattice;
   double wall = 0.0;  ///< square of the frequency that the wall adds at its stiffest, c²/R²
   double sound_speed = 1.0;  ///< c
+  /// What a run has met in the place of `wall`, its margin included: System::stiffest_contact().
+  std::optional<double> met{};
+  double inner_share = 1.0;  ///< Motion::inner_share()
 };
 
 /// Estimate of the largest wall force on one point (M c²/R) during the run, for the choice of the
@@ -76,17 +79,17 @@ double steps_of_all_runs(const Resolution& last);
 /// Where the integrator is `reduced`, as reduced_resolution(). Of other motion:
 ///
 /// `integrator: auto` in a scene of motion: of the methods that the scene can have (without damping
-/// velocity Verlet and Blanes–Moan; with damping velocity Verlet, implicit and extrapolated
-/// damping) the one of least cost, force evaluations and linear solutions counted, at the step that
-/// is likely to give the wanted error. In a collision two or three more runs come before, each
-/// with a step 1.12 to 1.3 times that of the next (1.2 times for order 6). The longest is at most
-/// 0.96 of the stability limit, the wall at its expected stiffest counted, and 0.1 R/c. For methods
-/// of order 2 it is at most 0.5/(a v), so that the runs show their order, and the error of the
-/// extrapolated e, as it is estimated, is some 10⁻⁴ (a v h)⁴ of the shortest (the coefficients
-/// stand with the code). Three runs aim at a twentieth of numerics.error, since above a tenth a
-/// fourth one has to confirm them; four at half of it; the cheaper plan is taken. For methods of
-/// order 6 the shortest step is at most 0.6/(a v), and three runs compared give an error of 10⁻⁸ (a
-/// v h)⁶, half of numerics.error.
+/// velocity Verlet, Takahashi–Imada on the potential wall and Blanes–Moan; with damping velocity
+/// Verlet, implicit and extrapolated damping) the one of least cost, force evaluations and linear
+/// solutions counted, at the step that is likely to give the wanted error. In a collision two or
+/// three more runs come before, each with a step 1.12 to 1.3 times that of the next (1.2 times for
+/// order 6). The longest is at most 0.96 of the stability limit, the wall at its expected stiffest
+/// counted, and 0.1 R/c. For methods of order 2 and 4 it is at most 0.5/(a v), so that the runs show
+/// their order, and the error of the extrapolated e, as it is estimated, is some 10⁻⁴ (a v h)⁴ or
+/// 10⁻⁶ (a v h)⁶ of the shortest (the coefficients stand with the code). Three runs aim at a tenth
+/// of numerics.error, since above that a fourth one has to confirm them; four, of order 2, at half
+/// of it; the cheaper plan is taken. For methods of order 6 the shortest step is at most 0.6/(a v),
+/// and three runs compared give an error of 10⁻⁸ (a v h)⁶, half of numerics.error.
 ///
 /// Where velocities are reset at intervals, the step, given or not, is shortened to divide them.
 /// @throw InputError when a given step exceeds the stability limit of the lattice and its damping

@@ -8,6 +8,7 @@ namespace impact {
 enum class IntegratorKind {
   kAuto,
   kVerlet,
+  kTakahashiImada,
   kBlanesMoan,
   kImplicitDamping,
   kExtrapolatedDamping,
@@ -26,9 +27,9 @@ enum class Stepping {
   kStatic     ///< to a state at rest, without motion
 };
 
-/// For which forces `auto` may choose a method: in a slow impact before all others, see
-/// may_be_reduced().
-enum class AutoChoice { kNever, kUndamped, kDamped, kAlways, kSlow };
+/// For which forces `auto` may choose a method: kSmooth, those without damping whose contacts do
+/// not pass from bond to bond; in a slow impact before all others, see may_be_reduced().
+enum class AutoChoice { kNever, kSmooth, kUndamped, kDamped, kAlways, kSlow };
 
 /// What the package knows of a method, besides how to make it (make_integrator()).
 struct IntegratorTraits {
@@ -38,6 +39,7 @@ struct IntegratorTraits {
   int order;                ///< of a method whose step is given; else 0
   bool stiff;               ///< solves for velocities, so that damping does not limit its steps
   bool holds_with_damping;  ///< where forces depend on velocities
+  bool holds_with_passing;  ///< where contacts pass from bond to bond
   bool in_lanes;            ///< lanes take it; of `auto`: all that it may choose but slow impacts
   AutoChoice choice;
   /// Time of a step without damping, in steps of undamped velocity Verlet, as
@@ -49,27 +51,30 @@ struct IntegratorTraits {
 
 /// A row for each method, in the order of IntegratorKind, which is that of lists for users.
 // clang-format off
-inline constexpr std::array<IntegratorTraits, 9> kIntegrators{{
+inline constexpr std::array<IntegratorTraits, 10> kIntegrators{{
     // kind, name, stepping, order,
-    //     stiff, holds with damping, in lanes, auto may choose it, cost, damped cost
+    //     stiff, holds with damping, with passing contacts, in lanes, auto may choose it, cost,
+    //     damped cost
     {IntegratorKind::kAuto, "auto", Stepping::kOpen, 0,
-         false, true, true, AutoChoice::kNever, 0.0, 0.0},
+         false, true, true, true, AutoChoice::kNever, 0.0, 0.0},
     {IntegratorKind::kVerlet, "verlet", Stepping::kFixed, 2,
-         false, true, true, AutoChoice::kAlways, 1.0, 1.5},
+         false, true, true, true, AutoChoice::kAlways, 1.0, 1.5},
+    {IntegratorKind::kTakahashiImada, "takahashi_imada", Stepping::kFixed, 4,
+         false, false, false, true, AutoChoice::kSmooth, 1.9, 1.9},
     {IntegratorKind::kBlanesMoan, "blanes_moan", Stepping::kFixed, 6,
-         false, false, true, AutoChoice::kUndamped, 10.5, 10.5},
+         false, false, true, true, AutoChoice::kUndamped, 10.5, 10.5},
     {IntegratorKind::kImplicitDamping, "implicit_damping", Stepping::kFixed, 2,
-         true, true, true, AutoChoice::kDamped, 4.3, 4.3},
+         true, true, true, true, AutoChoice::kDamped, 4.3, 4.3},
     {IntegratorKind::kExtrapolatedDamping, "extrapolated_damping", Stepping::kFixed, 6,
-         true, true, true, AutoChoice::kDamped, 34.0, 34.0},
+         true, true, true, true, AutoChoice::kDamped, 34.0, 34.0},
     {IntegratorKind::kBdf, "bdf", Stepping::kAdaptive, 0,
-         true, true, false, AutoChoice::kNever, 2.0, 2.0},
+         true, true, true, false, AutoChoice::kNever, 2.0, 2.0},
     {IntegratorKind::kRk8pd, "rk8pd", Stepping::kAdaptive, 0,
-         false, true, false, AutoChoice::kNever, 14.0, 14.0},
+         false, true, true, false, AutoChoice::kNever, 14.0, 14.0},
     {IntegratorKind::kReduced, "reduced", Stepping::kReduced, 2,
-         false, false, false, AutoChoice::kSlow, 0.5, 0.5},
+         false, false, false, false, AutoChoice::kSlow, 0.5, 0.5},
     {IntegratorKind::kNewton, "newton", Stepping::kStatic, 0,
-         false, true, true, AutoChoice::kNever, 0.0, 0.0},
+         false, true, true, true, AutoChoice::kNever, 0.0, 0.0},
 }};
 // clang-format on
 
@@ -90,10 +95,12 @@ constexpr bool solves_for_damping(IntegratorKind kind) {
 /// Order of a method whose step is given.
 constexpr int order_of(IntegratorKind kind) { return traits_of(kind).order; }
 
-/// Whether `auto` may choose the method where forces do, or do not, depend on velocities.
-constexpr bool is_automatic(const IntegratorTraits& method, bool damped) {
+/// Whether `auto` may choose the method where forces do, or do not, depend on velocities and
+/// contacts do, or do not, pass from bond to bond.
+constexpr bool is_automatic(const IntegratorTraits& method, bool damped, bool passing) {
   return method.choice == AutoChoice::kAlways ||
-         method.choice == (damped ? AutoChoice::kDamped : AutoChoice::kUndamped);
+         method.choice == (damped ? AutoChoice::kDamped : AutoChoice::kUndamped) ||
+         (method.choice == AutoChoice::kSmooth && !damped && !passing);
 }
 
 }  // namespace impact

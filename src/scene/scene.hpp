@@ -164,6 +164,8 @@ struct Scene {
   /// Whether the numbers of points are known without reading a file.
   bool has_recipes_only() const { return disk.file.empty() && wall.file.empty(); }
   /// Whether forces depend on velocities.
+  /// Whether contacts pass from bond to bond.
+  bool has_passing_contacts() const { return other_bodies() > 0; }
   bool is_damped() const {
     return material.eta != 0.0 || (other_bodies() > 0 && wall_material().eta != 0.0) ||
            (has_elastic_wall() && wall.boundary == Boundary::kViscous);

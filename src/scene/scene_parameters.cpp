@@ -351,6 +351,9 @@ void check_integrator(const Scene& scene) {
         "another one where forces depend on velocities (material.eta above 0 or a viscous "
         "boundary), on which its order does not hold");
   }
+  if (!method.holds_with_passing && scene.has_passing_contacts()) {
+    refuse("another one where contacts pass from bond to bond (wall.type other than potential)");
+  }
 }
 
 /// Whether the integrator goes with a step or with a tolerance.

@@ -111,12 +111,7 @@ std::vector<Quantity> run_quantities() {
 ConvergenceStudy::ConvergenceStudy(const Scene& scene,
                                    const std::shared_ptr<const Composition>& composition,
                                    History* history)
-    : ConvergenceStudy(
-          scene, composition,
-          [scene, composition](const Resolution& resolution) {
-            return Run(scene, composition, resolution);
-          },
-          history) {}
+    : ConvergenceStudy(scene, composition, nullptr, history) {}
 
 ConvergenceStudy::ConvergenceStudy(const Scene& scene,
                                    std::shared_ptr<const Composition> composition, MakeRun make_run,
@@ -124,6 +119,7 @@ ConvergenceStudy::ConvergenceStudy(const Scene& scene,
     : scene_(scene),
       composition_(std::move(composition)),
       make_run_(std::move(make_run)),
+      ahead_(std::make_unique<RunsAhead>(scene, composition_)),
       control_(scene, *composition_),
       strain_meter_(composition_->bodies->disk().points),
       history_(history) {
@@ -133,14 +129,21 @@ ConvergenceStudy::ConvergenceStudy(const Scene& scene,
 void ConvergenceStudy::start_run() {
   analysis_ = ImpactAnalysis(scene_.gravity);
   ++runs_;
-  run_.emplace(make_run_(control_.resolution()));
+  run_.emplace(next_run());
   show(composition_->field, start_of(*composition_, control_.resolution()), analysis_);
   if (history_ == nullptr) return;
   history_->start();
   take_in();
 }
 
+Run ConvergenceStudy::next_run() {
+  if (make_run_) return make_run_(control_.resolution());
+  if (history_ == nullptr) ahead_->begin(control_.later_resolutions());
+  return ahead_->take(control_.resolution(), stop_);
+}
+
 void ConvergenceStudy::advance(const std::function<bool()>& stop) {
+  stop_ = stop;
   go_on([&] { run_->advance(stop); });
 }
 

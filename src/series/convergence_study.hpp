@@ -13,6 +13,7 @@
 #include "output/result.hpp"
 #include "run/error_control.hpp"
 #include "run/run.hpp"
+#include "run/runs_ahead.hpp"
 #include "series/history.hpp"
 
 namespace impact {
@@ -20,7 +21,8 @@ namespace impact {
 /// Simulates and measures one scene, in as many runs as its error control asks for.
 class ConvergenceStudy {
  public:
-  /// `history`: takes in the states at the output times; outlives the study.
+  /// `history`: takes in the states at the output times; outlives the study. Without it, runs that
+  /// are sure to be needed are made at the same time, see RunsAhead.
   /// @throw InputError as compose().
   explicit ConvergenceStudy(const Scene& scene, History* history = nullptr)
       : ConvergenceStudy(scene, compose_shared(scene), history) {}
@@ -81,6 +83,7 @@ class ConvergenceStudy {
   ConvergenceStudy(const Scene& scene, std::shared_ptr<const Composition> composition,
                    MakeRun make_run, History* history);
 
+  Run next_run();
   void start_run();
   /// Takes in what `move` does to the run.
   template <class Move>
@@ -92,7 +95,9 @@ class ConvergenceStudy {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Scene scene_;
   std::shared_ptr<const Composition> composition_;
-  MakeRun make_run_;
+  MakeRun make_run_;  ///< empty: runs are made here
+  std::unique_ptr<RunsAhead> ahead_;
+  std::function<bool()> stop_{};  ///< of advance()
   ErrorControl control_;
   std::optional<Run> run_;
   int runs_ = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 namespace impact {
 namespace {
@@ -77,6 +78,34 @@ std::size_t Triangles::turned_over(const Eigen::Ref<const PointArray>& position)
       std::count_if(corners_.begin(), corners_.end(), [&](const auto& triangle) {
         return signed_area(position, triangle[0], triangle[1], triangle[2]) < 0.0;
       }));
+}
+
+std::vector<std::int32_t> Triangles::outer_points(const Lattice& lattice, double depth) const {
+  std::vector<int> open(static_cast<std::size_t>(lattice.points.rows()), 0);
+  for (const Bond& bond : lattice.bonds) {
+    ++open[static_cast<std::size_t>(bond.first)];
+    ++open[static_cast<std::size_t>(bond.second)];
+  }
+  for (const auto& triangle : corners_) {
+    for (const std::int32_t corner : triangle) --open[static_cast<std::size_t>(corner)];
+  }
+  std::vector<char> is_outer(open.begin(), open.end());
+  for (auto [a, b, c] : corners_) {
+    for (int k = 0; k < 3; ++k) {
+      std::tie(a, b, c) = std::make_tuple(b, c, a);
+      if (open[static_cast<std::size_t>(a)] == 0 || open[static_cast<std::size_t>(b)] == 0)
+        continue;
+      const double side = (lattice.points.row(b) - lattice.points.row(a)).matrix().norm();
+      if (signed_area(lattice.points, a, b, c) < depth * side) {
+        is_outer[static_cast<std::size_t>(c)] = 1;
+      }
+    }
+  }
+  std::vector<std::int32_t> points;
+  for (std::size_t i = 0; i < is_outer.size(); ++i) {
+    if (is_outer[i] != 0) points.push_back(static_cast<std::int32_t>(i));
+  }
+  return points;
 }
 
 }  // namespace impact

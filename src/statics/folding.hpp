@@ -22,6 +22,11 @@ class Triangles {
 
   std::size_t size() const { return corners_.size(); }
 
+  /// Of the lattice whose triangles these are, the points that come into contact first: those with
+  /// fewer triangles about them than bonds, which lie on its outline or about a hole, and any that
+  /// lies nearer to two of these, bonded to it and to each other, than `depth` (R).
+  std::vector<std::int32_t> outer_points(const Lattice& lattice, double depth) const;
+
  private:
   std::vector<std::array<std::int32_t, 3>> corners_;  ///< counter-clockwise in the reference
 };

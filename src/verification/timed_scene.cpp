@@ -137,7 +137,8 @@ bool can_have(Scene scene, IntegratorKind integrator) {
 IntegratorKind most_exact(const Scene& scene) {
   IntegratorKind best = IntegratorKind::kVerlet;
   for (const IntegratorTraits& method : kIntegrators) {
-    if (is_automatic(method, scene.is_damped()) && method.order > order_of(best)) {
+    if (is_automatic(method, scene.is_damped(), scene.has_passing_contacts()) &&
+        method.order > order_of(best)) {
       best = method.kind;
     }
   }
@@ -148,8 +149,9 @@ double longest_step(Scene scene, IntegratorKind integrator) {
   constexpr double kMargin = 0.96;
   scene.numerics = {};
   const Rates rates = compose(scene).rates;
-  return kMargin *
-         step_limit(integrator, rates.lattice.omega_squared + rates.wall, rates.lattice.gamma);
+  return kMargin * step_limit(integrator,
+                              rates.lattice.with_contacts(rates.wall, rates.inner_share),
+                              rates.lattice.gamma);
 }
 
 }  // namespace impact

@@ -12,15 +12,6 @@ namespace {
 /// By how much a mode grows in a step.
 double growth(double omega) { return spectral_radius<BlanesMoan>(omega * omega, 0.0) - 1.0; }
 
-TEST(BlanesMoan, RefusesForcesThatDependOnVelocities) {
-  const State state{0.0, 0, two_points().points, PointArray::Zero(2, 2)};
-  ForceField damped{BondForces(two_points(), {1.0, 0.0, 0.1}), 0.5};
-  EXPECT_THROW(BlanesMoan().restart(damped, state), std::invalid_argument);
-  ForceField on_dashpots{BondForces(two_points(), {1.0, 0.0, 0.0}), 0.5};
-  on_dashpots.viscous_boundary.emplace(std::vector<ViscousBoundary::Dashpot>{{0, {1.0, 1.0}}});
-  EXPECT_THROW(BlanesMoan().restart(on_dashpots, state), std::invalid_argument);
-}
-
 /// Up to the limit all is stable, save for the two resonances, which are as narrow and as weak as
 /// documented.
 TEST(BlanesMoanStepLimit, IsTheEdgeOfStability) {

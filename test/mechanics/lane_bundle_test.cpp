@@ -16,6 +16,7 @@
 #include "mechanics/extrapolated_damping.hpp"
 #include "mechanics/implicit_damping.hpp"
 #include "mechanics/simulation.hpp"
+#include "mechanics/takahashi_imada.hpp"
 #include "mechanics/velocity_verlet.hpp"
 #include "two_bodies.hpp"
 
@@ -127,6 +128,11 @@ TEST(LaneBundle, IsDampedVelocityVerletInEveryLane) {
   expect_same_in_lanes<BasicVelocityVerlet>({{0.02, 1.0, kPointMass},
                                              {0.05, 1.1, 2.0 * kPointMass},
                                              {0.03, 0.9, 0.5 * kPointMass, 200.0, 0.008}});
+}
+
+TEST(LaneBundle, IsTakahashiImadaInEveryLane) {
+  expect_same_in_lanes<BasicTakahashiImada>(
+      {{0.02}, {0.05, 1.1}, {0.03, 0.9, 0.0, 200.0, 0.008}, {0.02}});
 }
 
 TEST(LaneBundle, IsBlanesMoanInEveryLane) {

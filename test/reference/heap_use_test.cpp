@@ -14,6 +14,7 @@
 #include "mechanics/implicit_damping.hpp"
 #include "mechanics/lane_bundle.hpp"
 #include "mechanics/simulation.hpp"
+#include "mechanics/takahashi_imada.hpp"
 #include "mechanics/two_bodies.hpp"
 #include "mechanics/velocity_verlet.hpp"
 #include "reference/rk8pd.hpp"
@@ -121,14 +122,15 @@ std::uint64_t allocations_of_steps(const TwoBodies& bodies,
 
 template <class I>
 class HeapUseOf : public testing::Test {};
-using OfFixedStep =
-    testing::Types<VelocityVerlet, BlanesMoan, ImplicitDamping, ExtrapolatedDamping>;
+using OfFixedStep = testing::Types<VelocityVerlet, TakahashiImada, BlanesMoan, ImplicitDamping,
+                                   ExtrapolatedDamping>;
 TYPED_TEST_SUITE(HeapUseOf, OfFixedStep, );
 
 TYPED_TEST(HeapUseOf, StepsIsNone) {
   EXPECT_EQ(allocations_of_steps(on_elastic_wall(0.0), std::make_unique<TypeParam>()), 0U);
   EXPECT_EQ(allocations_of_steps(on_potential_wall(0.0), std::make_unique<TypeParam>()), 0U);
-  if constexpr (!std::is_same_v<TypeParam, BlanesMoan>) {
+  if constexpr (!std::is_same_v<TypeParam, TakahashiImada> &&
+                !std::is_same_v<TypeParam, BlanesMoan>) {
     EXPECT_EQ(allocations_of_steps(on_elastic_wall(0.1), std::make_unique<TypeParam>()), 0U);
     EXPECT_EQ(allocations_of_steps(on_potential_wall(0.1), std::make_unique<TypeParam>()), 0U);
   }
@@ -161,6 +163,9 @@ TEST(HeapUse, OfStepsInLanesIsNone) {
     TwoBodies bodies = on_potential_wall(eta);
     bodies.field.supports.reset();
     EXPECT_EQ(allocations_in_lanes<BasicVelocityVerlet>(bodies), 0U);
+    if (eta == 0.0) {
+      EXPECT_EQ(allocations_in_lanes<BasicTakahashiImada>(bodies), 0U);
+    }
     EXPECT_EQ(allocations_in_lanes<BasicImplicitDamping>(bodies), 0U);
     EXPECT_EQ(allocations_in_lanes<BasicExtrapolatedDamping>(bodies), 0U);
   }

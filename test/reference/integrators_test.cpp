@@ -11,6 +11,7 @@
 #include "mechanics/extrapolated_damping.hpp"
 #include "mechanics/implicit_damping.hpp"
 #include "mechanics/spectrum.hpp"
+#include "mechanics/takahashi_imada.hpp"
 #include "mechanics/velocity_verlet.hpp"
 #include "reference/rk8pd.hpp"
 #include "solvers/bdf.hpp"
@@ -70,15 +71,16 @@ template <class... I>
 struct EachOf {
   using Types = testing::Types<I...>;
 };
-using All =
-    EachOf<VelocityVerlet, BlanesMoan, ImplicitDamping, ExtrapolatedDamping, Bdf, Rk8pd>::Types;
+using All = EachOf<VelocityVerlet, TakahashiImada, BlanesMoan, ImplicitDamping, ExtrapolatedDamping,
+                   Bdf, Rk8pd>::Types;
 using TakingDamping =
     EachOf<VelocityVerlet, ImplicitDamping, ExtrapolatedDamping, Bdf, Rk8pd>::Types;
-using OfFixedOrder =
-    EachOf<VelocityVerlet, BlanesMoan, ImplicitDamping, ExtrapolatedDamping, Rk8pd>::Types;
+using OfFixedOrder = EachOf<VelocityVerlet, TakahashiImada, BlanesMoan, ImplicitDamping,
+                            ExtrapolatedDamping, Rk8pd>::Types;
+using RefusingDamping = EachOf<TakahashiImada, BlanesMoan>::Types;
 using OfFixedStep = EachOf<VelocityVerlet, BlanesMoan, ImplicitDamping, ExtrapolatedDamping>::Types;
 using Adaptive = EachOf<Bdf, Rk8pd>::Types;
-using Symplectic = EachOf<VelocityVerlet, BlanesMoan>::Types;
+using KeepingEnergy = EachOf<VelocityVerlet, TakahashiImada, BlanesMoan>::Types;
 
 /// Of positions of order 1 and, in the bonds, of forces of order 1 over times of order 1, in tens
 /// of steps.
@@ -222,6 +224,59 @@ TYPED_TEST(IntegratorOfFixedStep, HasItsOrder) {
 }
 
 template <class I>
+class UndampedIntegrator : public testing::Test {};
+TYPED_TEST_SUITE(UndampedIntegrator, RefusingDamping, );
+
+TYPED_TEST(UndampedIntegrator, RefusesForcesThatDependOnVelocities) {
+  Patch damped(0.1);
+  EXPECT_THROW(TypeParam().restart(damped.field, damped.state), std::invalid_argument);
+  Patch on_dashpots(0.0);
+  on_dashpots.field.viscous_boundary.emplace(
+      std::vector<ViscousBoundary::Dashpot>{{0, {1.0, 1.0}}});
+  EXPECT_THROW(TypeParam().restart(on_dashpots.field, on_dashpots.state), std::invalid_argument);
+}
+
+/// Of a flight to a wall, which begins at 17 R/c and ends at 22 R/c, and back.
+template <class I>
+State in_flight(I&& integrator, double time, int steps) {
+  Patch patch(0.0);
+  patch.field.wall.emplace(4.0, 0.5);
+  patch.state.velocity.col(0) = 0.1 * patch.state.position.col(1);
+  patch.state.velocity.col(1) = -0.1 * patch.state.position.col(0);
+  patch.state.position.col(1) += 9.0;  // the wall's force is below 10⁻¹⁵ there
+  patch.add_velocity(0.0, -0.5);
+  patch.advance(integrator, time, steps);
+  return patch.state;
+}
+
+/// What is left of momentum and angular momentum.
+Eigen::Array3d momenta(const State& state) {
+  const auto x = (state.position.rowwise() - state.position.colwise().mean()).eval();
+  const PointArray& v = state.velocity;
+  return {v.col(0).sum(), v.col(1).sum(), (x.col(0) * v.col(1) - x.col(1) * v.col(0)).sum()};
+}
+
+/// Of order 4 where no forces act, of order 2 on the wall.
+TEST(TakahashiImada, IsOfOrderFourFromFlightToFlight) {
+  const State reference = in_flight(Rk8pd(1e-15, kScales), 40.0, 1);
+  EXPECT_GT(reference.position.col(1).minCoeff(), 5.0);  // the wall's force is below 10⁻⁸ there
+  std::vector<ErrorPoint> of_momenta;
+  for (const int steps : {200, 280, 400, 560, 800}) {
+    const State state = in_flight(TakahashiImada(), 40.0, steps);
+    of_momenta.push_back({40.0 / steps, (momenta(state) - momenta(reference)).matrix().norm()});
+  }
+  EXPECT_NEAR(exponent(of_momenta), TakahashiImada::kOrder, 0.1);
+  const State on_wall = in_flight(Rk8pd(1e-15, kScales), 19.0, 1);
+  EXPECT_LT(on_wall.position.col(1).minCoeff(), 1.0);
+  std::vector<ErrorPoint> of_points;
+  for (const int steps : {190, 270, 380, 540}) {
+    const State state = in_flight(TakahashiImada(), 19.0, steps);
+    of_points.push_back({19.0 / steps, difference(state, on_wall)});
+  }
+  EXPECT_NEAR(exponent(of_points), 2.0, 0.1);
+}
+
+template <class I>
 class AdaptiveIntegrator : public testing::Test {};
 TYPED_TEST_SUITE(AdaptiveIntegrator, Adaptive, );
 
@@ -245,12 +300,12 @@ TYPED_TEST(AdaptiveIntegrator, ErrorIsProportionalToTheTolerance) {
 }
 
 template <class I>
-class SymplecticIntegrator : public testing::Test {};
-TYPED_TEST_SUITE(SymplecticIntegrator, Symplectic, );
+class EnergyKeepingIntegrator : public testing::Test {};
+TYPED_TEST_SUITE(EnergyKeepingIntegrator, KeepingEnergy, );
 
 /// A triangle that vibrates for 10⁶ steps of half the stability limit: the energy oscillates and
 /// goes nowhere.
-TYPED_TEST(SymplecticIntegrator, KeepsTheEnergyInFreeVibration) {
+TYPED_TEST(EnergyKeepingIntegrator, KeepsTheEnergyInFreeVibration) {
   constexpr int kSteps = 1000000;
   constexpr int kSampling = 17;
   const Lattice lattice = triangle();

@@ -399,7 +399,7 @@ TEST(ErrorControl, DoesNotCountRunsOfReducedStep) {
 }
 
 /// At its start the wall holds a little energy. A motion whose step is a little too long at once
-/// has it halved.
+/// has it halved. It is not the wall's fault, so the next steps are shorter than that.
 TEST(ErrorControl, SeesThatTheStepOfARunWasReduced) {
   const Scene scene = scene_with(1e-4);
   const auto composition = compose_shared(scene);
@@ -415,6 +415,32 @@ TEST(ErrorControl, SeesThatTheStepOfARunWasReduced) {
   EXPECT_FALSE(control.accepts(run, measured));
   EXPECT_LE(control.resolution().step, run.system().step_size() / kRefinement);
   EXPECT_TRUE(control.later_resolutions().empty());
+}
+
+/// The stiffer the wall was, the shorter the next steps; not by how often steps were halved. What
+/// is tried in vain three times is given up for half the step.
+TEST(ErrorControl, PlansByTheStiffnessThatWasMet) {
+  const Scene scene = scene_with(1e-4, IntegratorKind::kVerlet);
+  const auto composition = compose_shared(scene);
+  ErrorControl control(scene, *composition);
+  const Spectrum lattice = composition->rates.lattice;
+  FinishedImpact run;
+  run.step_reduced = true;
+  run.time = 10.0;
+  for (const double times : {40.0, 60.0, 80.0}) {
+    run.stiffest_contact = times * lattice.omega_squared;
+    run.step = 0.5 * control.resolution().step;
+    ASSERT_FALSE(control.accepts(run));
+    const double limit = step_limit(
+        IntegratorKind::kVerlet,
+        lattice.with_contacts(run.stiffest_contact, composition->rates.inner_share), 0.0);
+    EXPECT_LE(control.resolution().step, 0.96 * limit);
+    EXPECT_GE(control.resolution().step, 0.9 * limit);
+  }
+  run.stiffest_contact = 100.0 * lattice.omega_squared;
+  run.step = 0.5 * control.resolution().step;
+  ASSERT_FALSE(control.accepts(run));
+  EXPECT_LE(control.resolution().step, run.step / kRefinement);
 }
 
 /// What the contact holds at the end becomes motion. Runs at their start stand for those at their

@@ -10,6 +10,7 @@
 #include "mechanics/extrapolated_damping.hpp"
 #include "mechanics/implicit_damping.hpp"
 #include "mechanics/potential_wall.hpp"
+#include "mechanics/takahashi_imada.hpp"
 #include "mechanics/velocity_verlet.hpp"
 #include "reduced/reduced_motion.hpp"
 
@@ -40,6 +41,8 @@ int order_by_class(IntegratorKind integrator) {
   switch (integrator) {
     case IntegratorKind::kVerlet:
       return VelocityVerlet::kOrder;
+    case IntegratorKind::kTakahashiImada:
+      return TakahashiImada::kOrder;
     case IntegratorKind::kBlanesMoan:
       return BlanesMoan::kOrder;
     case IntegratorKind::kImplicitDamping:
@@ -128,11 +131,15 @@ TEST(FirstResolution, TakesAGivenStepUpToTheLimit) {
   EXPECT_EQ(step(scene, spectrum), 0.021);
 }
 
-/// Where the wall, not the lattice, sets the step.
+/// Where the wall, not the lattice, sets the step. A wall along which contacts pass from bond to
+/// bond has only methods that hold there.
 TEST(FirstResolution, AutoGoesToHigherOrderForSmallErrors) {
   const Spectrum undamped{8100.0, 0.0};
   Scene scene = scene_with(IntegratorKind::kAuto, 0.1, 0.0);
   EXPECT_EQ(first(scene, undamped).integrator, IntegratorKind::kVerlet);
+  scene.numerics.error = 1e-8;
+  EXPECT_EQ(first(scene, undamped).integrator, IntegratorKind::kTakahashiImada);
+  scene.wall.kind = WallKind::kDisk;
   scene.numerics.error = 1e-10;
   EXPECT_EQ(first(scene, undamped).integrator, IntegratorKind::kBlanesMoan);
 }

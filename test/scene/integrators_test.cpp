@@ -15,6 +15,7 @@ std::size_t number_up_to(IntegratorKind last) {
   switch (last) {
     case IntegratorKind::kAuto:
     case IntegratorKind::kVerlet:
+    case IntegratorKind::kTakahashiImada:
     case IntegratorKind::kBlanesMoan:
     case IntegratorKind::kImplicitDamping:
     case IntegratorKind::kExtrapolatedDamping:
@@ -44,10 +45,13 @@ TEST(Integrators, HaveARowEach) {
 TEST(Integrators, ThatAutoMayChooseGoInLanes) {
   for (const IntegratorTraits& method : kIntegrators) {
     for (const bool damped : {false, true}) {
-      if (!is_automatic(method, damped)) continue;
-      EXPECT_TRUE(method.in_lanes || !traits_of(IntegratorKind::kAuto).in_lanes) << method.name;
-      EXPECT_EQ(method.stepping, Stepping::kFixed) << method.name;
-      EXPECT_TRUE(method.holds_with_damping || !damped) << method.name;
+      for (const bool passing : {false, true}) {
+        if (!is_automatic(method, damped, passing)) continue;
+        EXPECT_TRUE(method.in_lanes || !traits_of(IntegratorKind::kAuto).in_lanes) << method.name;
+        EXPECT_EQ(method.stepping, Stepping::kFixed) << method.name;
+        EXPECT_TRUE(method.holds_with_damping || !damped) << method.name;
+        EXPECT_TRUE(method.holds_with_passing || !passing) << method.name;
+      }
     }
   }
 }

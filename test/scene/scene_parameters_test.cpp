@@ -144,6 +144,22 @@ TEST(ParseScene, RefusesBlanesMoanWithDamping) {
   EXPECT_INPUT_ERROR(parse_with("wall: {type: lattice, boundary: viscous}"), refused);
 }
 
+/// Nor has one for contacts that stay on their points.
+TEST(ParseScene, RefusesTakahashiImadaWhereContactsPassOn) {
+  const auto parse_with = [](const std::string& rest) {
+    return parse("{scene: collision, numerics: {integrator: takahashi_imada}, " + rest + "}");
+  };
+  EXPECT_NO_THROW(parse_with("wall: {type: potential}"));
+  for (const char* const type : {"lattice", "disk"}) {
+    EXPECT_INPUT_ERROR(parse_with(std::string("wall: {type: ") + type + "}"),
+                       "numerics.integrator: got takahashi_imada, allowed: another one where "
+                       "contacts pass from bond to bond (wall.type other than potential)");
+  }
+  EXPECT_INPUT_ERROR(parse_with("material: {eta: 1}"),
+                     "numerics.integrator: got takahashi_imada, allowed: another one where forces "
+                     "depend on velocities");
+}
+
 TEST(ParseScene, HasAStepOrAToleranceByTheIntegrator) {
   const auto parse_with = [](const std::string& numerics) {
     return parse("{scene: contact, material: {eta: 1}, numerics: {" + numerics + "}}");

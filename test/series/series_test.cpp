@@ -9,8 +9,10 @@
 #include <fstream>
 #include <regex>
 #include <set>
+#include <utility>
 
 #include "expect_input_error.hpp"
+#include "kernels/threads.hpp"
 #include "mechanics/lane_field.hpp"
 #include "run/compose.hpp"
 #include "scene/scene_parameters.hpp"
@@ -216,9 +218,9 @@ std::set<std::string> expect_results_of_single_studies(const std::vector<Scene>&
 }
 
 TEST(SideBySide, GivesTheResultsOfSingleStudiesToTheLastBit) {
-  EXPECT_EQ(
-      expect_results_of_single_studies(impacts_on_the_potential_wall()),
-      (std::set<std::string>{"verlet", "blanes_moan", "implicit_damping", "extrapolated_damping"}));
+  EXPECT_EQ(expect_results_of_single_studies(impacts_on_the_potential_wall()),
+            (std::set<std::string>{"verlet", "takahashi_imada", "implicit_damping",
+                                   "extrapolated_damping"}));
 }
 
 TEST(SideBySide, DoesSoOnTheElasticWall) {
@@ -242,6 +244,21 @@ TEST(SideBySide, DoesSoWithTwoDisks) {
   expect_results_of_single_studies(scenes(
       "{scene: collision, disk: {points: 30}, wall: {type: disk, radius: 0.8, a: [150, 300]}, "
       "impact: {velocity: [0.03, 0.05], angle: [0, 40]}}"));
+}
+
+/// On one processor or on all.
+TEST(ConvergenceStudy, GivesTheSameBitsOnSeveralProcessors) {
+  const auto result = [](int threads) {
+    const int before = std::exchange(threads_in_a_run(), threads);
+    ConvergenceStudy study(
+        scenes("{scene: collision, disk: {points: 40}, impact: {velocity: 0.05}, numerics: {error: "
+               "1.e-7}}")
+            .front());
+    while (!study.finished()) study.advance();
+    threads_in_a_run() = before;
+    return yaml_without_wall_time(study.result());
+  };
+  EXPECT_EQ(result(1), result(0));
 }
 
 /// What lanes take by its forces is put to them by its scene.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "test_lattices.hpp"
@@ -41,6 +42,30 @@ TEST(Triangles, LeavesOutWhatHasAPointInside) {
   points << 0, 0, 2, 0, 1, 2, 1, 0.7;
   const Lattice lattice = plain_lattice(points, {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}});
   EXPECT_EQ(Triangles(lattice).size(), 3U);
+}
+
+/// The sides of a patch; and a point that lies just behind one of them.
+TEST(Triangles, KnowThePointsThatComeIntoContactFirst) {
+  const Lattice lattice = patch(5);
+  const std::vector<std::int32_t> sides = Triangles(lattice).outer_points(lattice, 0.1);
+  EXPECT_EQ(sides.size(), 16U);
+  for (const std::int32_t point : sides) {
+    const auto bonds = std::count_if(
+        lattice.bonds.begin(), lattice.bonds.end(),
+        [&](const Bond& bond) { return bond.first == point || bond.second == point; });
+    EXPECT_LT(bonds, 6);
+  }
+  PointArray points = lattice.points;
+  const std::int32_t middle = 12;
+  EXPECT_FALSE(std::binary_search(sides.begin(), sides.end(), middle));
+  const auto bottom = points(2, 1);
+  const std::int32_t behind = 7;
+  ASSERT_FALSE(std::binary_search(sides.begin(), sides.end(), behind));
+  points(behind, 1) = bottom + 0.05;
+  const Lattice pressed = make_lattice(points, lattice.bonds);
+  const std::vector<std::int32_t> outer = Triangles(pressed).outer_points(pressed, 0.1);
+  EXPECT_EQ(outer.size(), 17U);
+  EXPECT_TRUE(std::binary_search(outer.begin(), outer.end(), behind));
 }
 
 TEST(Triangles, TurnOverWhereAPointPassesThroughABond) {

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "run/compose.hpp"
+#include "run/run.hpp"
+
+namespace impact {
+
+/// Runs of an answer that are made on other processors while the first of them is under way. The
+/// results are the same to the last bit, only the answer is there sooner.
+class RunsAhead {
+ public:
+  RunsAhead(const Scene& scene, std::shared_ptr<const Composition> composition)
+      : scene_(scene), composition_(std::move(composition)) {}
+  RunsAhead(const RunsAhead&) = delete;
+  RunsAhead& operator=(const RunsAhead&) = delete;
+  /// Gives up what nobody has asked for.
+  ~RunsAhead();
+
+  /// Begins those runs of a collision that will be asked for next, in their order: the last ones,
+  /// which are the longest, as far as there are processors for them. None where a run is large
+  /// enough to take all processors by itself, or threads_in_a_run() is 1.
+  void begin(const std::vector<Resolution>& next);
+
+  /// The run: at its end if it was begun ahead, for which this waits, else at its beginning. So it
+  /// is too if it failed, to fail where it is looked at, and when `stop`, asked while it waits,
+  /// says true.
+  Run take(const Resolution& resolution, const std::function<bool()>& stop);
+
+ private:
+  struct Ahead {
+    Resolution resolution;
+    std::shared_ptr<std::atomic<bool>> given_up;
+    std::future<std::optional<Run>> run;  ///< nothing: failed or given up
+  };
+
+  void give_up_all_but(const std::vector<Resolution>& next);
+  void begin_one(const Resolution& resolution);
+  std::optional<Run> make(const Resolution& resolution, const std::atomic<bool>& given_up) const;
+  std::vector<Ahead>::iterator find(const Resolution& resolution);
+
+  Scene scene_;
+  std::shared_ptr<const Composition> composition_;
+  std::vector<Ahead> ahead_;
+};
+
+}  // namespace impact
