@@ -208,7 +208,8 @@ Elongations BondForces::elongations_at(const PointArray& position, Eigen::Index 
 std::vector<Eigen::Triplet<double>> BondForces::stiffness(const PointArray& position) const {
   const auto points = static_cast<std::int32_t>(position.rows());
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(8 * table_->end.size());
+  // What other terms may add, one a coordinate, too: growing would copy them all.
+  entries.reserve(8 * table_->end.size() + 2 * static_cast<std::size_t>(points) + 2);
   for_each_bond([&](std::int32_t i, std::int32_t j, double natural_length) {
     const Eigen::Vector2d offset = (position.row(i) - position.row(j)).matrix().transpose();
     const double length = offset.norm();
