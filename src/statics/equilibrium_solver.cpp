@@ -8,18 +8,6 @@
 namespace impact {
 namespace {
 
-template <class Vector>
-Eigen::VectorXd of_lane(const Vector& numbers, int lane) {
-  Eigen::VectorXd one(numbers.size());
-  for (Eigen::Index i = 0; i < one.size(); ++i) one[i] = in_lane(numbers[i], lane);
-  return one;
-}
-
-template <class Vector>
-void set_lane(Vector& numbers, int lane, const double* values) {
-  for (Eigen::Index i = 0; i < numbers.size(); ++i) in_lane(numbers[i], lane) = values[i];
-}
-
 template <class Solver>
 bool take_to_its_end(EquilibriumSearch& search, const std::function<bool()>& stop) {
   Solver solver;
@@ -61,8 +49,8 @@ void BasicEquilibriumSolver<Scalar>::set_stiffness(const Place& place) {
   const bool first = stiffness_.empty();
   stiffness_.assemble(place.search->field(), place.search->state().position, place.lane);
   if (!first) return;
-  factors_.analyzePattern(stiffness_.lower());
-  right_hand_side_ = Vector::Constant(stiffness_.lower().rows(), Scalar(0.0));
+  factors_.analyzePattern(stiffness_.upper());
+  right_hand_side_ = Vector::Constant(stiffness_.upper().rows(), Scalar(0.0));
 }
 
 template <class Scalar>
@@ -72,12 +60,12 @@ void BasicEquilibriumSolver<Scalar>::factorise(const std::vector<Place>& going) 
     in_lane(shift, lane) = search->shift() * stiffness_.largest_diagonal(lane);
   }
   factors_.setShift(shift, Scalar(1.0));
-  factors_.factorize(stiffness_.lower());
+  factors_.factorize(stiffness_.upper());
   bool held = false;
   for (const auto& [lane, search] : going) {
     if (!search->field().hold) continue;
     held = true;
-    set_lane(right_hand_side_, lane, search->field().hold->direction().data());
+    set_lane(lane, search->field().hold->direction().data());
   }
   if (held) response_ = solution();
 }
@@ -85,7 +73,7 @@ void BasicEquilibriumSolver<Scalar>::factorise(const std::vector<Place>& going) 
 template <class Scalar>
 void BasicEquilibriumSolver<Scalar>::solve(const std::vector<Place>& going) {
   for (const auto& [lane, search] : going) {
-    set_lane(right_hand_side_, lane, search->force().data());
+    set_lane(lane, search->force().data());
   }
   solution_ = solution();
 }
@@ -104,6 +92,21 @@ void BasicEquilibriumSolver<Scalar>::take(const std::vector<Place>& going) {
   for (const auto& [lane, search] : going) {
     search->take(of_lane(solution_, lane), of_lane(response_, lane),
                  stiffness_.largest_diagonal(lane));
+  }
+}
+
+template <class Scalar>
+Eigen::VectorXd BasicEquilibriumSolver<Scalar>::of_lane(const Vector& numbers, int lane) const {
+  Eigen::VectorXd one(numbers.size());
+  for (Eigen::Index i = 0; i < one.size(); ++i)
+    one[i] = in_lane(numbers[stiffness_.place(i)], lane);
+  return one;
+}
+
+template <class Scalar>
+void BasicEquilibriumSolver<Scalar>::set_lane(int lane, const double* values) {
+  for (Eigen::Index i = 0; i < right_hand_side_.size(); ++i) {
+    in_lane(right_hand_side_[stiffness_.place(i)], lane) = values[i];
   }
 }
 

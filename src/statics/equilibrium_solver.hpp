@@ -29,7 +29,7 @@ class BasicEquilibriumSolver {
   void advance(const Searches& searches);
 
  private:
-  using Matrix = Eigen::SparseMatrix<Scalar>;
+  using Stiffness = AssembledStiffness<Scalar, Eigen::AMDOrdering<int>>;
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
   struct Place {
     int lane;
@@ -41,9 +41,13 @@ class BasicEquilibriumSolver {
   void solve(const std::vector<Place>& going);
   Vector solution() const;
   void take(const std::vector<Place>& going);
+  Eigen::VectorXd of_lane(const Vector& numbers, int lane) const;
+  void set_lane(int lane, const double* values);
 
-  AssembledStiffness<Scalar> stiffness_;
-  Eigen::SimplicialLDLT<Matrix> factors_;
+  Stiffness stiffness_;
+  Eigen::SimplicialLDLT<typename Stiffness::Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>>
+      factors_;
+  // In the order of elimination:
   Vector right_hand_side_;
   Vector solution_;
   Vector response_;  ///< to the direction of the held rotation; empty: not held

@@ -37,8 +37,8 @@ void LargeEquilibriumSolver::step(EquilibriumSearch& search) {
 }
 
 void LargeEquilibriumSolver::factorise(const EquilibriumSearch& search) {
-  if (!factor_) factor_.emplace(stiffness_.lower(), search.state().position);
-  factor_->factorise(stiffness_.lower(), search.shift() * stiffness_.largest_diagonal());
+  if (!factor_) factor_.emplace(stiffness_.upper(), search.state().position);
+  factor_->factorise(stiffness_.upper(), search.shift() * stiffness_.largest_diagonal());
   if (search.field().hold) response_ = factor_->solve(held_direction(search));
 }
 
@@ -55,7 +55,7 @@ LargeEquilibriumSolver::Vector LargeEquilibriumSolver::preconditioned(
 /// None: they did not converge.
 std::optional<LargeEquilibriumSolver::Vector> LargeEquilibriumSolver::by_conjugate_gradients(
     const EquilibriumSearch& search) const {
-  const auto stiffness = stiffness_.lower().selfadjointView<Eigen::Lower>();
+  const auto stiffness = stiffness_.upper().selfadjointView<Eigen::Upper>();
   Vector solution = Vector::Zero(search.force().size());
   Vector residual = search.force();
   Vector step = preconditioned(search, residual);

@@ -37,7 +37,7 @@ class LargeEquilibriumSolver {
   std::optional<Vector> by_conjugate_gradients(const EquilibriumSearch& search) const;
   Vector preconditioned(const EquilibriumSearch& search, const Vector& residual) const;
 
-  AssembledStiffness<double> stiffness_;
+  AssembledStiffness<double, Eigen::NaturalOrdering<int>> stiffness_;
   std::optional<MultifrontalFactor> factor_;
   Vector response_;  ///< to the direction of the held rotation; empty: not held
 };

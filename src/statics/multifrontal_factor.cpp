@@ -40,9 +40,9 @@ void factorise_columns(Eigen::Map<Eigen::MatrixXd>& a, Eigen::Ref<Eigen::VectorX
 
 }  // namespace
 
-MultifrontalFactor::MultifrontalFactor(const Matrix& lower, const PointArray& position)
+MultifrontalFactor::MultifrontalFactor(const Matrix& triangle, const PointArray& position)
     : place_(static_cast<std::size_t>(position.rows())), diagonal_(2 * position.rows()) {
-  const Couplings couplings(lower, static_cast<std::int32_t>(position.rows()));
+  const Couplings couplings(triangle, static_cast<std::int32_t>(position.rows()));
   const Dissection dissection = dissect(position, couplings);
   for (std::size_t k = 0; k < dissection.order.size(); ++k) {
     place_[static_cast<std::size_t>(dissection.order[k])] = static_cast<std::int32_t>(k);
@@ -52,7 +52,7 @@ MultifrontalFactor::MultifrontalFactor(const Matrix& lower, const PointArray& po
   for (std::size_t k = 0; k < fronts_.size(); ++k) {
     std::fill_n(front_of.begin() + fronts_[k].first, fronts_[k].own, static_cast<std::int32_t>(k));
   }
-  find_elements(lower, front_of);
+  find_elements(triangle, front_of);
 }
 
 void MultifrontalFactor::find_fronts(const Dissection& dissection, const Couplings& couplings) {
@@ -87,11 +87,11 @@ std::int32_t MultifrontalFactor::place_in(const Front& front, std::int32_t place
   return front.own + static_cast<std::int32_t>(at - front.below.begin());
 }
 
-void MultifrontalFactor::find_elements(const Matrix& lower,
+void MultifrontalFactor::find_elements(const Matrix& triangle,
                                        const std::vector<std::int32_t>& front_of) {
   const auto points = static_cast<std::int32_t>(place_.size());
-  for (std::int32_t column = 0; column < lower.cols(); ++column) {
-    for (Matrix::InnerIterator entry(lower, column); entry; ++entry) {
+  for (std::int32_t column = 0; column < triangle.cols(); ++column) {
+    for (Matrix::InnerIterator entry(triangle, column); entry; ++entry) {
       const auto row = static_cast<std::int32_t>(entry.row());
       const std::int32_t first = place_[static_cast<std::size_t>(row % points)];
       const std::int32_t second = place_[static_cast<std::size_t>(column % points)];
@@ -99,16 +99,16 @@ void MultifrontalFactor::find_elements(const Matrix& lower,
           front_of[static_cast<std::size_t>(std::min(first, second))])];
       const std::int32_t a = 2 * place_in(front, first) + row / points;
       const std::int32_t b = 2 * place_in(front, second) + column / points;
-      front.elements.push_back({static_cast<std::int32_t>(&entry.value() - lower.valuePtr()),
+      front.elements.push_back({static_cast<std::int32_t>(&entry.value() - triangle.valuePtr()),
                                 std::max(a, b), std::min(a, b)});
     }
   }
 }
 
-void MultifrontalFactor::factorise(const Matrix& lower, double shift) {
+void MultifrontalFactor::factorise(const Matrix& triangle, double shift) {
   std::vector<Eigen::MatrixXd> updates(fronts_.size());
   for (std::size_t k = 0; k < fronts_.size(); ++k) {
-    updates[k] = eliminate(fronts_[k], lower.valuePtr(), shift, updates);
+    updates[k] = eliminate(fronts_[k], triangle.valuePtr(), shift, updates);
   }
 }
 

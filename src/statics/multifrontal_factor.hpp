@@ -20,11 +20,12 @@ class MultifrontalFactor {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
 
-  /// Of matrices with the nonzero elements of this one: its lower triangle.
-  MultifrontalFactor(const Matrix& lower, const PointArray& position);
+  /// Of matrices that are stored at the places of this one, of which either triangle is given.
+  /// Where it couples two points, it couples the x of one to the x of the other.
+  MultifrontalFactor(const Matrix& triangle, const PointArray& position);
 
   /// Of A + shift 1.
-  void factorise(const Matrix& lower, double shift);
+  void factorise(const Matrix& triangle, double shift);
   /// A⁻¹ b; not finite where A is singular.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
@@ -48,7 +49,7 @@ class MultifrontalFactor {
   };
 
   void find_fronts(const Dissection& dissection, const Couplings& couplings);
-  void find_elements(const Matrix& lower, const std::vector<std::int32_t>& front_of);
+  void find_elements(const Matrix& triangle, const std::vector<std::int32_t>& front_of);
   Eigen::MatrixXd eliminate(const Front& front, const double* values, double shift,
                             std::vector<Eigen::MatrixXd>& updates);
   void add_update(const Front& child, const Eigen::MatrixXd& update, const Front& front,

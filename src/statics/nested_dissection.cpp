@@ -145,7 +145,7 @@ Couplings::Couplings(const Eigen::SparseMatrix<double>& matrix, std::int32_t poi
     for (std::int32_t column = 0; column < points; ++column) {
       for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column); entry; ++entry) {
         const auto row = static_cast<std::int32_t>(entry.row());
-        if (row >= points || row <= column) continue;
+        if (row >= points || row == column) continue;
         visit(row, column);
         visit(column, row);
       }

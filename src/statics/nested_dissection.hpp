@@ -12,7 +12,7 @@ namespace impact {
 /// The points that couple to each other, each pair from both ends.
 class Couplings {
  public:
-  /// Of the lower triangle of a symmetric matrix whose rows and columns are x of all points and
+  /// Of either triangle of a symmetric matrix whose rows and columns are x of all points and
   /// then y of all: those of x to x.
   Couplings(const Eigen::SparseMatrix<double>& matrix, std::int32_t points);
 
