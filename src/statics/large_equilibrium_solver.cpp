@@ -5,8 +5,9 @@ namespace {
 
 /// About where the next iteration costs more than new factors at N = 10⁵.
 constexpr int kMostIterations = 8;
-/// Of the error of u, in the norm of energy. Newton's method then gains two digits a step at least.
-constexpr double kReduction = 1e-2;
+/// Of the error of u, in the norm of energy. Newton's method then gains three digits a step at
+/// least.
+constexpr double kReduction = 1e-3;
 
 Eigen::Map<const Eigen::VectorXd> held_direction(const EquilibriumSearch& search) {
   const PointArray& direction = search.field().hold->direction();
@@ -28,7 +29,7 @@ void LargeEquilibriumSolver::advance(const Searches& searches) {
 
 void LargeEquilibriumSolver::step(EquilibriumSearch& search) {
   std::optional<Vector> solution;
-  if (factor_ && search.shift() == 0.0) solution = by_conjugate_gradients(search);
+  if (may_iterate(search)) solution = by_conjugate_gradients(search);
   if (!solution) {
     factorise(search);
     solution = factor_->solve(search.force());
@@ -36,8 +37,14 @@ void LargeEquilibriumSolver::step(EquilibriumSearch& search) {
   search.take(*solution, response_, stiffness_.largest_diagonal());
 }
 
+bool LargeEquilibriumSolver::may_iterate(const EquilibriumSearch& search) const {
+  return factor_ && !is_shifted_ && search.shift() == 0.0 &&
+         (search.field().hold || search.field().supports);
+}
+
 void LargeEquilibriumSolver::factorise(const EquilibriumSearch& search) {
   if (!factor_) factor_.emplace(stiffness_.upper(), search.state().position);
+  is_shifted_ = search.shift() > 0.0;
   factor_->factorise(stiffness_.upper(), search.shift() * stiffness_.largest_diagonal());
   if (search.field().hold) response_ = factor_->solve(held_direction(search));
 }
