@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 namespace impact {
 
@@ -23,12 +24,15 @@ void AssembledStiffness<Scalar, Ordering>::assemble(const ForceField& field,
 
 template <class Scalar, class Ordering>
 void AssembledStiffness<Scalar, Ordering>::find_places(Eigen::Index coordinates) {
+  MatrixEntries above;
+  std::copy_if(entries_.begin(), entries_.end(), std::back_inserter(above),
+               [](const auto& entry) { return entry.row() <= entry.col(); });
   Eigen::SparseMatrix<double> matrix(coordinates, coordinates);
-  matrix.setFromTriplets(entries_.begin(), entries_.end());
+  matrix.setFromTriplets(above.begin(), above.end());
   Ordering()(matrix.selfadjointView<Eigen::Upper>(), order_);
   if (order_.size() != 0) {
     order_ = order_.inverse().eval();
-    matrix = matrix.twistedBy(order_);
+    matrix = matrix.selfadjointView<Eigen::Upper>().twistedBy(order_);
   }
   upper_ = Eigen::SparseMatrix<double>(matrix.triangularView<Eigen::Upper>()).cast<Scalar>();
   values_.reserve(entries_.size());

@@ -81,7 +81,7 @@ void MultifrontalFactor::find_fronts(const Dissection& dissection, const Couplin
   values_.resize(values);
 }
 
-std::int32_t MultifrontalFactor::place_in(const Front& front, std::int32_t place) const {
+std::int32_t MultifrontalFactor::place_in(const Front& front, std::int32_t place) {
   if (place < front.first + front.own) return place - front.first;
   const auto at = std::lower_bound(front.below.begin(), front.below.end(), place);
   return front.own + static_cast<std::int32_t>(at - front.below.begin());

@@ -54,7 +54,7 @@ class MultifrontalFactor {
                             std::vector<Eigen::MatrixXd>& updates);
   void add_update(const Front& child, const Eigen::MatrixXd& update, const Front& front,
                   Dense& columns, Eigen::MatrixXd& rest) const;
-  std::int32_t place_in(const Front& front, std::int32_t place) const;
+  static std::int32_t place_in(const Front& front, std::int32_t place);
   Columns columns_of(const Front& front) const;
   void forward(Eigen::VectorXd& b) const;
   void backward(Eigen::VectorXd& b) const;

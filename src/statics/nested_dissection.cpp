@@ -17,6 +17,10 @@ constexpr std::int32_t kSeparates = -1;
 constexpr double kSmallestHalf = 0.4;  // of the points
 constexpr int kPushes = 8;             // each way; more gain nothing
 
+/// Across which ranges are cut.
+constexpr std::array<std::array<double, 2>, 4> kDirections{
+    {{1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}, {1.0, -1.0}}};
+
 /// Halves ranges of points.
 class Halving {
  public:
@@ -36,7 +40,7 @@ class Halving {
   };
 
   void cut(const Range& range);
-  void cut(const Range& range, const Eigen::Array2d& direction);
+  void cut(const Range& range, const std::array<double, 2>& direction);
   void push(Half& smaller, Half& larger, std::ptrdiff_t least);
   std::int32_t& mark_of(std::int32_t point) { return mark_[static_cast<std::size_t>(point)]; }
 
@@ -48,9 +52,9 @@ class Halving {
 };
 
 /// At the median along a direction.
-void Halving::cut(const Range& range, const Eigen::Array2d& direction) {
+void Halving::cut(const Range& range, const std::array<double, 2>& direction) {
   const auto height = [&](std::int32_t point) {
-    return std::make_pair(position_(point, 0) * direction.x() + position_(point, 1) * direction.y(),
+    return std::make_pair(position_(point, 0) * direction[0] + position_(point, 1) * direction[1],
                           point);
   };
   const auto half = range.first + (range.second - range.first) / 2;
@@ -69,8 +73,6 @@ void Halving::cut(const Range& range, const Eigen::Array2d& direction) {
 
 /// Along the direction that leaves the fewest points between the halves.
 void Halving::cut(const Range& range) {
-  static const std::array<Eigen::Array2d, 4> kDirections{
-      Eigen::Array2d{1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}, {1.0, -1.0}};
   std::array<std::size_t, 4> count{};
   for (std::size_t k = 0; k < count.size(); ++k) {
     cut(range, kDirections[k]);
@@ -88,7 +90,8 @@ void Halving::push(Half& smaller, Half& larger, std::ptrdiff_t least) {
   for (std::size_t k = 0; k < separator_.size();) {
     const std::int32_t point = separator_[k];
     const auto in_smaller = [&](std::int32_t other) { return mark_of(other) == smaller.mark; };
-    const auto coupled = std::find_if(couplings_.begin(point), couplings_.end(point), in_smaller);
+    const auto* const coupled =
+        std::find_if(couplings_.begin(point), couplings_.end(point), in_smaller);
     const auto count = std::count_if(coupled, couplings_.end(point), in_smaller);
     if (count > 1 || smaller.points - count < least) {
       ++k;

@@ -94,9 +94,9 @@ Lattice shaken_patch(int columns, int rows, double distance) {
   return lattice;
 }
 
-/// Disorder roughens the cut: more than 30 points lie beside a straight line, but 30 are enough.
+/// Disorder roughens the cut: some 70 points lie beside a straight line, but 30 are enough.
 TEST(Dissect, PushesTheSeparatorUntilItIsShort) {
-  const Lattice lattice = shaken_patch(60, 30, 0.7);
+  const Lattice lattice = shaken_patch(60, 30, 2.5);
   const Dissection dissection = dissect(lattice.points, couplings_of(lattice));
   expect_separated(lattice, dissection);
   EXPECT_LE(dissection.parts.back().end - dissection.parts.back().first, 31);
