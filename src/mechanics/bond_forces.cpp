@@ -206,9 +206,18 @@ Elongations BondForces::elongations_at(const PointArray& position, Eigen::Index 
 }
 
 std::vector<Eigen::Triplet<double>> BondForces::stiffness(const PointArray& position) const {
-  const auto points = static_cast<std::int32_t>(position.rows());
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(8 * table_->end.size());
+  find_stiffness(position, entries);
+  return entries;
+}
+
+void BondForces::find_stiffness(const PointArray& position,
+                                std::vector<Eigen::Triplet<double>>& entries) const {
+  const auto points = static_cast<std::int32_t>(position.rows());
+  // What other terms may add, one a coordinate, too: growing would copy them all.
+  entries.reserve(8 * table_->end.size() + 2 * static_cast<std::size_t>(points) + 2);
+  entries.resize(8 * table_->end.size());  // which has some empty places
+  auto entry = entries.begin();
   for_each_bond([&](std::int32_t i, std::int32_t j, double natural_length) {
     const Eigen::Vector2d offset = (position.row(i) - position.row(j)).matrix().transpose();
     const double length = offset.norm();
@@ -222,23 +231,23 @@ std::vector<Eigen::Triplet<double>> BondForces::stiffness(const PointArray& posi
     for (int row = 0; row < 2; ++row) {
       for (int column = 0; column < 2; ++column) {
         const double value = block(row, column);
-        entries.emplace_back(row * points + i, column * points + i, value);
-        entries.emplace_back(row * points + j, column * points + j, value);
-        entries.emplace_back(row * points + i, column * points + j, -value);
-        entries.emplace_back(row * points + j, column * points + i, -value);
+        *entry++ = {row * points + i, column * points + i, value};
+        *entry++ = {row * points + j, column * points + j, value};
+        *entry++ = {row * points + i, column * points + j, -value};
+        *entry++ = {row * points + j, column * points + i, -value};
       }
     }
   });
-  if (!has_two_laws()) return entries;
+  entries.resize(static_cast<std::size_t>(entry - entries.begin()));
+  if (!has_two_laws()) return;
   const auto first_points = static_cast<std::int32_t>(table_->points);
   const std::int32_t of_second = points - first_points;
   const auto place = [&](int k) {
     return k < of_second ? first_points + k : points + first_points + k - of_second;
   };
-  for (const auto& entry : second_.front().stiffness(position.bottomRows(of_second))) {
-    entries.emplace_back(place(entry.row()), place(entry.col()), entry.value());
+  for (const auto& second : second_.front().stiffness(position.bottomRows(of_second))) {
+    entries.emplace_back(place(second.row()), place(second.col()), second.value());
   }
-  return entries;
 }
 
 std::vector<Eigen::Triplet<double>> BondForces::damping() const {

@@ -64,6 +64,9 @@ class BondForces {
   /// The entries of the tangent stiffness matrix −∂f/∂r (M c²/R²), those of one place to be added
   /// up; row and column i stand for x of point i, N + i for its y.
   std::vector<Eigen::Triplet<double>> stiffness(const PointArray& position) const;
+  /// The same in place of the entries given, whose memory is used again.
+  void find_stiffness(const PointArray& position,
+                      std::vector<Eigen::Triplet<double>>& entries) const;
 
   bool damped() const { return law_.eta != 0.0 || (has_two_laws() && second_.front().damped()); }
   /// Of the first body.

@@ -34,11 +34,16 @@ MatrixEntries ForceField::damping(int axis) const {
 }
 
 MatrixEntries ForceField::stiffness(const PointArray& position) const {
-  MatrixEntries entries = bonds.stiffness(position);
+  MatrixEntries entries;
+  find_stiffness(position, entries);
+  return entries;
+}
+
+void ForceField::find_stiffness(const PointArray& position, MatrixEntries& entries) const {
+  bonds.find_stiffness(position, entries);
   for_each_term([&](const auto& term) { term.add_stiffness(position, entries); });
   const auto points = static_cast<std::size_t>(position.rows());
   for_each_term([&](const auto& term) { term.constrain_stiffness(points, entries); });
-  return entries;
 }
 
 bool ForceField::damped() const {

@@ -89,6 +89,8 @@ struct ForceField {
   /// wall, those of one place to be added up; row and column i stand for x of point i, N + i for
   /// its y. A supported coordinate has a diagonal element only.
   MatrixEntries stiffness(const PointArray& position) const;
+  /// The same in place of the entries given, whose memory is used again.
+  void find_stiffness(const PointArray& position, MatrixEntries& entries) const;
 
   /// Of bonds, wall and load, in M c².
   double potential_energy(const PointArray& position) const;

@@ -37,10 +37,10 @@ constexpr double kCostOfRadian = 240.0;
 constexpr double kPartOfRelaxation = 0.25;
 
 /// An iteration of Newton's method: time (s) = this · N^kPowerOfIteration.
-constexpr double kIterations = 15.0;
+constexpr double kIterations = 12.0;
 constexpr double kIterationsOfRolling = 1000.0;  // with the search for other places of rest
-constexpr double kIteration = 4e-7;
-constexpr double kPowerOfIteration = 1.25;
+constexpr double kIteration = 2.5e-7;
+constexpr double kPowerOfIteration = 1.22;
 
 Forecast of_static_solution(const Scene& scene, Eigen::Index points) {
   const bool rolls = scene.kind == SceneKind::kContact && !scene.load.hold_rotation;

@@ -12,6 +12,7 @@
 #include "measure/strain.hpp"
 #include "run/end_of_run.hpp"
 #include "statics/equilibrium_solver.hpp"
+#include "statics/large_equilibrium_solver.hpp"
 
 namespace impact {
 namespace {
@@ -26,6 +27,22 @@ State turned(const State& start, double angle) {
   return state;
 }
 
+using Searches = std::vector<std::unique_ptr<EquilibriumSearch>>;
+
+/// Takes as many as there are lanes at most to their ends.
+void solve_all(const Searches& searches) {
+  if (LargeEquilibriumSolver::is_for(searches.front()->state().position.rows())) {
+    for (const auto& search : searches) solve(*search);
+    return;
+  }
+  LaneEquilibriumSolver::Searches lanes{};
+  std::transform(searches.begin(), searches.end(), lanes.begin(),
+                 [](const auto& search) { return search.get(); });
+  LaneEquilibriumSolver solver;
+  const auto goes_on = [](const auto& search) { return !search->finished(); };
+  while (std::any_of(searches.begin(), searches.end(), goes_on)) solver.advance(lanes);
+}
+
 /// Rotations (rad) at which the disk rests when it starts from these, at most as many as there are
 /// lanes; NaN: it does not come to rest.
 std::vector<double> rests_from(const std::vector<double>& angles, const Scene& scene,
@@ -33,16 +50,12 @@ std::vector<double> rests_from(const std::vector<double>& angles, const Scene& s
   const StrainMeter meter(composition.bodies->disk().points);
   const double tolerance = negligible_static_force(scene, composition.initial.position.rows(),
                                                    composition.resolution.step);
-  std::vector<std::unique_ptr<EquilibriumSearch>> searches;
-  LaneEquilibriumSolver::Searches lanes{};
+  Searches searches;
   for (const double angle : angles) {
     searches.push_back(std::make_unique<EquilibriumSearch>(
         composition.field, turned(composition.initial, angle), tolerance));
-    lanes[searches.size() - 1] = searches.back().get();
   }
-  LaneEquilibriumSolver solver;
-  const auto goes_on = [](const auto& search) { return !search->finished(); };
-  while (std::any_of(searches.begin(), searches.end(), goes_on)) solver.advance(lanes);
+  solve_all(searches);
   std::vector<double> rests;
   rests.reserve(searches.size());
   for (const auto& search : searches) {

@@ -15,6 +15,7 @@
 #include "run/compose.hpp"
 #include "run/energy_monitor.hpp"
 #include "statics/equilibrium_solver.hpp"
+#include "statics/large_equilibrium_solver.hpp"
 
 namespace impact {
 namespace {
@@ -119,8 +120,10 @@ class SideBySide {
  private:
   /// Goes to the states at rest. False when told to stop.
   bool solve() {
-    outcome_.in_lanes =
-        lattice_.points.rows() <= kMostPoints && candidates_.size() >= kFewestSearches;
+    if (LargeEquilibriumSolver::is_for(lattice_.points.rows())) {
+      return solve_by<LargeEquilibriumSolver>();
+    }
+    outcome_.in_lanes = candidates_.size() >= kFewestSearches;
     return outcome_.in_lanes ? solve_by<LaneEquilibriumSolver>() : solve_by<EquilibriumSolver>();
   }
 

@@ -11,13 +11,16 @@
 namespace impact {
 namespace {
 
-/// A load that crushes the disk, P = 1, takes 1200.
+/// Loads that crush the disk, P = 1, take 400 to 600.
 constexpr std::uint64_t kMostSteps = 2000;
-constexpr double kLongestMove = 3.0;          // in ranges 1/a of the wall
+constexpr double kLeastLimit = 3.0;  // of a move, in ranges 1/a of the wall
+constexpr double kGoodGain = 0.7;    // of the energy that the slope promises
+constexpr double kGrowth = 1.5;
 constexpr double kSufficientDecrease = 1e-4;  // of the slope (Armijo)
 constexpr int kMostHalvings = 40;
 constexpr double kFirstShift = 1e-6;
 constexpr int kMostShifts = 8;  // each ten times the one before
+constexpr int kShiftsBack = 2;  // from one step to the next
 
 }  // namespace
 
@@ -26,6 +29,9 @@ EquilibriumSearch::EquilibriumSearch(ForceField field, State initial, double tol
       tolerance_(tolerance),
       force_(state_.position.rows(), 2),
       largest_force_(evaluate()),
+      least_limit_(field_.wall ? kLeastLimit / field_.wall->a()
+                               : std::numeric_limits<double>::infinity()),
+      limit_(least_limit_),
       ends_(found()) {}
 
 double EquilibriumSearch::evaluate() {
@@ -49,27 +55,25 @@ void EquilibriumSearch::take(const Vector& solution, const Vector& response, dou
     go(shaped(step));
   } else if (attempt_ < kMostShifts) {
     ++attempt_;
+    needs_stiffness_ = false;
   } else {
     keeps_factors_ = false;
     go(force_ / scale);
   }
 }
 
-/// As points, without a free shift, and no longer than the wall's range allows.
+/// As points, without a free shift, and within the limit.
 PointArray EquilibriumSearch::shaped(const Vector& step) const {
   PointArray moves = Eigen::Map<const PointArray>(step.data(), force_.rows(), 2);
   for (const int axis : {0, 1}) {
     if (field_.shifts_freely(axis)) moves.col(axis) -= moves.col(axis).mean();
   }
-  if (field_.wall) {
-    const double longest = moves.abs().maxCoeff();
-    moves *= std::min(1.0, kLongestMove / field_.wall->a() / longest);
-  }
-  return moves;
+  return moves * std::min(1.0, limit_ / moves.abs().maxCoeff());
 }
 
 void EquilibriumSearch::go(const PointArray& step) {
-  attempt_ = 0;
+  attempt_ = std::max(0, attempt_ - kShiftsBack);
+  needs_stiffness_ = true;
   if (ends_) {
     correction_ = step;
     finished_ = true;
@@ -79,6 +83,7 @@ void EquilibriumSearch::go(const PointArray& step) {
   state_.time += step_size();
   const bool advanced = line_search(step);
   ends_ = !advanced || found() || steps() == kMostSteps;
+  if (ends_) attempt_ = 0;
 }
 
 /// Goes along `step` as far as energy falls enough or, where energy is lost in rounding, as the
@@ -91,11 +96,11 @@ bool EquilibriumSearch::line_search(const PointArray& step) {
   double length = 1.0;
   for (int k = 0; k < kMostHalvings; ++k) {
     position = start + length * step;
-    const bool falls =
-        field_.potential_energy(position) < energy_at_start + kSufficientDecrease * length * slope;
+    const double gain = (field_.potential_energy(position) - energy_at_start) / (length * slope);
     const double force = evaluate();
-    if (falls || force < largest_force_) {
+    if (gain > kSufficientDecrease || force < largest_force_) {
       largest_force_ = force;
+      limit_moves(length, gain, length * step.abs().maxCoeff());
       return true;
     }
     length /= 2.0;
@@ -103,6 +108,15 @@ bool EquilibriumSearch::line_search(const PointArray& step) {
   position = start;
   largest_force_ = evaluate();
   return false;
+}
+
+/// After a step of this length, on which the energy fell by so much of what its slope promised.
+void EquilibriumSearch::limit_moves(double length, double gain, double move) {
+  if (length < 1.0) {
+    limit_ = std::max(least_limit_, move);
+  } else if (gain > kGoodGain) {
+    limit_ = std::max(limit_, kGrowth * move);
+  }
 }
 
 PointArray equilibrium_correction(const ForceField& field, const State& state) {

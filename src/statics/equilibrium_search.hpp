@@ -15,9 +15,10 @@ namespace impact {
 /// stiffness of bonds and wall. Along an axis on which nothing acts from outside and no support
 /// holds, rigid shifts cost no energy and the mean displacement is held at zero; the rotation
 /// (RotationHold) is held by a Lagrange multiplier, supported coordinates by leaving them out. A
-/// backtracking line search on the energy keeps the search on its way down, and no point moves by
-/// more than a few ranges 1/a of the wall in one step. Where K is not positive in the directions
-/// that are free, a multiple of the unit matrix is added.
+/// backtracking line search on the energy keeps the search on its way down. Before a wall no point
+/// moves further in one step than a few ranges 1/a, or half as far again as it did in a step on
+/// which the energy fell nearly as its slope said. Where K is not positive in the directions that
+/// are free, a multiple of the unit matrix is added, a hundredth of it at the next step.
 class EquilibriumSearch : public System {
  public:
   using Vector = Eigen::VectorXd;
@@ -37,7 +38,7 @@ class EquilibriumSearch : public System {
   /// To be added on the diagonal of K, in units of its largest element.
   double shift() const;
   /// Whether K is wanted at another place than before.
-  bool needs_stiffness() const { return attempt_ == 0; }
+  bool needs_stiffness() const { return needs_stiffness_; }
   /// Goes on by the solution u of K u = f and, if the rotation is held, that for the right-hand
   /// side RotationHold::direction(); not finite: there is none. `scale`: the largest element on the
   /// diagonal of K.
@@ -51,12 +52,16 @@ class EquilibriumSearch : public System {
   PointArray shaped(const Vector& step) const;
   void go(const PointArray& step);
   bool line_search(const PointArray& step);
+  void limit_moves(double length, double gain, double move);
 
   double tolerance_;
   PointArray force_;
   PointArray correction_;
   double largest_force_;
-  int attempt_ = 0;             ///< at a step, each with a greater shift
+  double least_limit_;  ///< of the move of a point in a step, R; infinite without a wall
+  double limit_;        ///< the present one
+  int attempt_ = 0;     ///< at a step, each with a greater shift
+  bool needs_stiffness_ = true;
   bool keeps_factors_ = false;  ///< those of the latest step, which had no shift
   bool ends_;
   bool finished_ = false;

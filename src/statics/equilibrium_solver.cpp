@@ -1,39 +1,21 @@
 #include "statics/equilibrium_solver.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
+
+#include "statics/large_equilibrium_solver.hpp"
 
 namespace impact {
 namespace {
 
-using Entries = std::vector<Eigen::Triplet<double>>;
-
-double in_lane(const double& number, int /*lane*/) { return number; }
-double& in_lane(double& number, int /*lane*/) { return number; }
-double in_lane(const LaneScalar& number, int lane) { return number[lane]; }
-double& in_lane(LaneScalar& number, int lane) { return number[lane]; }
-
-template <class Vector>
-Eigen::VectorXd of_lane(const Vector& numbers, int lane) {
-  Eigen::VectorXd one(numbers.size());
-  for (Eigen::Index i = 0; i < one.size(); ++i) one[i] = in_lane(numbers[i], lane);
-  return one;
-}
-
-template <class Vector>
-void set_lane(Vector& numbers, int lane, const double* values) {
-  for (Eigen::Index i = 0; i < numbers.size(); ++i) in_lane(numbers[i], lane) = values[i];
-}
-
-/// The stiffness of the field, with a tie along each axis that shifts freely.
-Entries tied_stiffness(const ForceField& field, const PointArray& position) {
-  const auto points = static_cast<std::int32_t>(position.rows());
-  Entries entries = field.stiffness(position);
-  for (const int axis : {0, 1}) {
-    if (field.shifts_freely(axis)) entries.emplace_back(axis * points, axis * points, 1.0);
+template <class Solver>
+bool take_to_its_end(EquilibriumSearch& search, const std::function<bool()>& stop) {
+  Solver solver;
+  while (!search.finished()) {
+    if (stop && stop()) return false;
+    solver.advance({&search});
   }
-  return entries;
+  return true;
 }
 
 }  // namespace
@@ -47,7 +29,7 @@ void BasicEquilibriumSolver<Scalar>::advance(const Searches& searches) {
   }
   if (going.empty()) return;
   for (const Place& place : going) {
-    if (place.search->needs_stiffness() || places_.empty()) set_stiffness(place);
+    if (place.search->needs_stiffness() || stiffness_.empty()) set_stiffness(place);
   }
   factorise(going);
   solve(going);
@@ -64,59 +46,26 @@ void BasicEquilibriumSolver<Scalar>::advance(const Searches& searches) {
 
 template <class Scalar>
 void BasicEquilibriumSolver<Scalar>::set_stiffness(const Place& place) {
-  const Entries entries = tied_stiffness(place.search->field(), place.search->state().position);
-  if (places_.empty()) find_places(entries, 2 * place.search->state().position.rows());
-  Scalar* const values = stiffness_.valuePtr();
-  for (Eigen::Index k = 0; k < stiffness_.nonZeros(); ++k) in_lane(values[k], place.lane) = 0.0;
-  for (std::size_t k = 0; k < entries.size(); ++k) {
-    if (places_[k] >= 0) in_lane(values[places_[k]], place.lane) += entries[k].value();
-  }
-}
-
-/// All lanes get the same values, so that one that stays empty can be factorised.
-template <class Scalar>
-void BasicEquilibriumSolver<Scalar>::find_places(const Entries& entries, Eigen::Index coordinates) {
-  std::vector<Eigen::Triplet<Scalar>> lower;
-  for (const auto& entry : entries) {
-    if (entry.row() < entry.col()) continue;
-    lower.emplace_back(entry.row(), entry.col(), Scalar(entry.value()));
-  }
-  stiffness_.resize(coordinates, coordinates);
-  stiffness_.setFromTriplets(lower.begin(), lower.end());
-  for (const auto& entry : entries) {
-    const int* const rows = stiffness_.innerIndexPtr();
-    const int* const end = rows + stiffness_.outerIndexPtr()[entry.col() + 1];
-    const int* const place =
-        std::lower_bound(rows + stiffness_.outerIndexPtr()[entry.col()], end, entry.row());
-    places_.push_back(entry.row() >= entry.col() ? place - rows : -1);
-  }
-  factors_.analyzePattern(stiffness_);
-  right_hand_side_ = Vector::Constant(coordinates, Scalar(0.0));
-}
-
-template <class Scalar>
-double BasicEquilibriumSolver<Scalar>::largest_diagonal(int lane) const {
-  double largest = 0.0;
-  for (Eigen::Index column = 0; column < stiffness_.cols(); ++column) {
-    const int first = stiffness_.outerIndexPtr()[column];
-    largest = std::max(largest, in_lane(stiffness_.valuePtr()[first], lane));
-  }
-  return largest;
+  const bool first = stiffness_.empty();
+  stiffness_.assemble(place.search->field(), place.search->state().position, place.lane);
+  if (!first) return;
+  factors_.analyzePattern(stiffness_.upper());
+  right_hand_side_ = Vector::Constant(stiffness_.upper().rows(), Scalar(0.0));
 }
 
 template <class Scalar>
 void BasicEquilibriumSolver<Scalar>::factorise(const std::vector<Place>& going) {
   Scalar shift(0.0);
   for (const auto& [lane, search] : going) {
-    in_lane(shift, lane) = search->shift() * largest_diagonal(lane);
+    in_lane(shift, lane) = search->shift() * stiffness_.largest_diagonal(lane);
   }
   factors_.setShift(shift, Scalar(1.0));
-  factors_.factorize(stiffness_);
+  factors_.factorize(stiffness_.upper());
   bool held = false;
   for (const auto& [lane, search] : going) {
     if (!search->field().hold) continue;
     held = true;
-    set_lane(right_hand_side_, lane, search->field().hold->direction().data());
+    set_lane(lane, search->field().hold->direction().data());
   }
   if (held) response_ = solution();
 }
@@ -124,7 +73,7 @@ void BasicEquilibriumSolver<Scalar>::factorise(const std::vector<Place>& going) 
 template <class Scalar>
 void BasicEquilibriumSolver<Scalar>::solve(const std::vector<Place>& going) {
   for (const auto& [lane, search] : going) {
-    set_lane(right_hand_side_, lane, search->force().data());
+    set_lane(lane, search->force().data());
   }
   solution_ = solution();
 }
@@ -141,17 +90,30 @@ typename BasicEquilibriumSolver<Scalar>::Vector BasicEquilibriumSolver<Scalar>::
 template <class Scalar>
 void BasicEquilibriumSolver<Scalar>::take(const std::vector<Place>& going) {
   for (const auto& [lane, search] : going) {
-    search->take(of_lane(solution_, lane), of_lane(response_, lane), largest_diagonal(lane));
+    search->take(of_lane(solution_, lane), of_lane(response_, lane),
+                 stiffness_.largest_diagonal(lane));
+  }
+}
+
+template <class Scalar>
+Eigen::VectorXd BasicEquilibriumSolver<Scalar>::of_lane(const Vector& numbers, int lane) const {
+  Eigen::VectorXd one(numbers.size());
+  for (Eigen::Index i = 0; i < one.size(); ++i)
+    one[i] = in_lane(numbers[stiffness_.place(i)], lane);
+  return one;
+}
+
+template <class Scalar>
+void BasicEquilibriumSolver<Scalar>::set_lane(int lane, const double* values) {
+  for (Eigen::Index i = 0; i < right_hand_side_.size(); ++i) {
+    in_lane(right_hand_side_[stiffness_.place(i)], lane) = values[i];
   }
 }
 
 bool solve(EquilibriumSearch& search, const std::function<bool()>& stop) {
-  EquilibriumSolver solver;
-  while (!search.finished()) {
-    if (stop && stop()) return false;
-    solver.advance({&search});
-  }
-  return true;
+  return LargeEquilibriumSolver::is_for(search.state().position.rows())
+             ? take_to_its_end<LargeEquilibriumSolver>(search, stop)
+             : take_to_its_end<EquilibriumSolver>(search, stop);
 }
 
 template class BasicEquilibriumSolver<double>;

@@ -3,12 +3,12 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <array>
-#include <cstddef>
 #include <functional>
 #include <type_traits>
 #include <vector>
 
 #include "kernels/lane_scalar.hpp"
+#include "statics/assembled_stiffness.hpp"
 #include "statics/equilibrium_search.hpp"
 
 namespace impact {
@@ -16,11 +16,8 @@ namespace impact {
 /// Takes the steps of searches for equilibrium, of one with double and of up to kLanes side by side
 /// with LaneScalar, by sparse LDLᵀ: the same steps to the last bit, whatever the other lanes do.
 ///
-/// In K the supported coordinates are uncoupled, and one point is tied to its place along an axis
-/// that shifts freely: since nothing acts along it from outside, the tie carries no force, and only
-/// picks one of the equivalent shifts. The places of the entries and their order for the
-/// factorisation are found once, so all searches must have the same bonds, supports and kinds of
-/// terms.
+/// The order of elimination is found once, so all searches must have the same bonds, supports and
+/// kinds of terms.
 template <class Scalar>
 class BasicEquilibriumSolver {
  public:
@@ -32,25 +29,25 @@ class BasicEquilibriumSolver {
   void advance(const Searches& searches);
 
  private:
-  using Matrix = Eigen::SparseMatrix<Scalar>;
+  using Stiffness = AssembledStiffness<Scalar, Eigen::AMDOrdering<int>>;
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
-  using Entries = std::vector<Eigen::Triplet<double>>;
   struct Place {
     int lane;
     EquilibriumSearch* search;
   };
 
   void set_stiffness(const Place& place);
-  void find_places(const Entries& entries, Eigen::Index coordinates);
-  double largest_diagonal(int lane) const;
   void factorise(const std::vector<Place>& going);
   void solve(const std::vector<Place>& going);
   Vector solution() const;
   void take(const std::vector<Place>& going);
+  Eigen::VectorXd of_lane(const Vector& numbers, int lane) const;
+  void set_lane(int lane, const double* values);
 
-  Matrix stiffness_;                    ///< lower triangle
-  std::vector<std::ptrdiff_t> places_;  ///< of each entry among the values; −1: none, above
-  Eigen::SimplicialLDLT<Matrix> factors_;
+  Stiffness stiffness_;
+  Eigen::SimplicialLDLT<typename Stiffness::Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>>
+      factors_;
+  // In the order of elimination:
   Vector right_hand_side_;
   Vector solution_;
   Vector response_;  ///< to the direction of the held rotation; empty: not held
@@ -59,8 +56,9 @@ class BasicEquilibriumSolver {
 using EquilibriumSolver = BasicEquilibriumSolver<double>;
 using LaneEquilibriumSolver = BasicEquilibriumSolver<LaneScalar>;
 
-/// Takes a search to its end. False when told to stop before it, which is asked before every
-/// iteration; the search can be gone on with.
+/// Takes a search to its end, among many points by LargeEquilibriumSolver. False when told to stop
+/// before it, which is asked before every iteration; the search can be gone on with, to the same
+/// bits but among many points.
 bool solve(EquilibriumSearch& search, const std::function<bool()>& stop = {});
 
 extern template class BasicEquilibriumSolver<double>;

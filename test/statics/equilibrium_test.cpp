@@ -115,12 +115,39 @@ TEST(FindEquilibrium, GoesOnWhereItWasStopped) {
 
   EquilibriumSearch search(field, State{0.0, 0, position, PointArray::Zero(3, 2)}, 1e-14);
   int asked = 0;
-  bool shifted = false;
-  while (!solve(search, [&] { return ++asked % 2 == 0; })) shifted |= search.shift() > 0.0;
-  EXPECT_TRUE(shifted);
+  double largest = 0.0;
+  int kept = 0;  // steps that begin with a shift
+  while (!solve(search, [&] { return ++asked % 2 == 0; })) {
+    if (search.shift() > 0.0 && search.needs_stiffness()) {
+      EXPECT_NEAR(search.shift(), largest / 100.0, 1e-9 * largest);
+      ++kept;
+    }
+    largest = search.shift() > 0.0 && !search.needs_stiffness() ? search.shift() : 0.0;
+  }
+  EXPECT_GT(kept, 0);
   EXPECT_EQ(search.steps(), at_once.steps());
   EXPECT_TRUE((search.state().position == at_once.state().position).all());
   EXPECT_TRUE((search.correction() == at_once.correction()).all());
+}
+
+/// From a height of 300 ranges of the wall a patch falls in steps that grow, and comes to rest
+/// where it does from close by.
+TEST(FindEquilibrium, FallsInGrowingSteps) {
+  const Lattice lattice = triangular_patch(4);
+  ForceField field{BondForces(lattice, {1.0, 0.0, 0.0}), 1.0 / 16.0};
+  field.wall.emplace(300.0, 0.1);
+  field.load.emplace(0.01, field.bonds.points());
+  field.hold.emplace(lattice.points);
+  PointArray position = lattice.points;
+  position.col(1) += field.wall->gap_of_force(0.01);
+  const EquilibriumSearch close = solved(field, position, 1e-14);
+  position.col(1) += 1.0;
+  const EquilibriumSearch search = solved(field, position, 1e-14);
+  ASSERT_TRUE(close.found());
+  ASSERT_TRUE(search.found());
+  // 100 steps of three ranges, but 10 if each is half as long again as the one before.
+  EXPECT_LE(search.steps(), close.steps() + 12);
+  EXPECT_LT((search.state().position - close.state().position).abs().maxCoeff(), 1e-12);
 }
 
 /// A load that no wall holds: no equilibrium, and it is said.
