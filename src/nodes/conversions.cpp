@@ -9,17 +9,9 @@
 namespace impact {
 namespace {
 
-/// Of the points of a body.
-void copy_column(const PointArray& points, const Body& body, Eigen::Index which,
-                 std::vector<double>& column) {
-  const double* const begin = points.data() + which * points.rows() + body.first;
-  column.assign(begin, begin + body.points);
-}
-
-Body all_of(const PointArray& points) {
-  Body body;
-  body.points = points.rows();
-  return body;
+std::vector<double> column(const PointArray& points, Eigen::Index which) {
+  const double* const begin = points.data() + which * points.rows();
+  return {begin, begin + points.rows()};
 }
 
 PointArray points(const std::vector<double>& x, const std::vector<double>& y) {
@@ -56,9 +48,8 @@ void copy_energies(const EnergyLedger& ledger, double error, Message& message) {
 
 lattice_impact::Lattice to_message(const Lattice& lattice) {
   lattice_impact::Lattice message;
-  const Body body = all_of(lattice.points);
-  copy_column(lattice.points, body, 0, message.x);
-  copy_column(lattice.points, body, 1, message.y);
+  message.x = column(lattice.points, 0);
+  message.y = column(lattice.points, 1);
   for (const Bond& bond : lattice.bonds) {
     message.bond_first.push_back(static_cast<std::uint32_t>(bond.first));
     message.bond_second.push_back(static_cast<std::uint32_t>(bond.second));
@@ -69,17 +60,13 @@ lattice_impact::Lattice to_message(const Lattice& lattice) {
 
 lattice_impact::ParticleStates to_message(const State& state) {
   lattice_impact::ParticleStates message;
-  to_message(state, all_of(state.position), message);
-  return message;
-}
-
-void to_message(const State& state, const Body& body, lattice_impact::ParticleStates& message) {
   message.step = state.step;
   message.time = state.time;
-  copy_column(state.position, body, 0, message.x);
-  copy_column(state.position, body, 1, message.y);
-  copy_column(state.velocity, body, 0, message.vx);
-  copy_column(state.velocity, body, 1, message.vy);
+  message.x = column(state.position, 0);
+  message.y = column(state.position, 1);
+  message.vx = column(state.velocity, 0);
+  message.vy = column(state.velocity, 1);
+  return message;
 }
 
 lattice_impact::ContactForces to_message(const ContactReport& report) {

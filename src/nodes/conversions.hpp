@@ -16,7 +16,6 @@
 #include "measure/contact_report.hpp"
 #include "measure/impact_answer.hpp"
 #include "measure/strain.hpp"
-#include "mechanics/body.hpp"
 #include "mechanics/body_motion.hpp"
 #include "mechanics/energy_ledger.hpp"
 #include "mechanics/state.hpp"
@@ -28,8 +27,7 @@ namespace impact {
 lattice_impact::Lattice to_message(const Lattice& lattice);
 lattice_impact::ParticleStates to_message(const State& state);
 lattice_impact::ContactForces to_message(const ContactReport& report);
-/// The same into a message whose arrays keep their memory; the state only of this body.
-void to_message(const State& state, const Body& body, lattice_impact::ParticleStates& message);
+/// The same into a message whose arrays keep their memory.
 void to_message(const ContactReport& report, lattice_impact::ContactForces& message);
 lattice_impact::EnergyLedger to_message(const EnergyLedger& ledger, double error);
 /// Step, time and force are those of `report`.

@@ -1,21 +1,34 @@
 #pragma once
 
+#include <lattice_impact/ContactForces.h>
+#include <lattice_impact/ParticleStates.h>
 #include <ros/message_traits.h>
 #include <ros/serialization.h>
 #include <std_msgs/Header.h>
 
-#include <algorithm>
 #include <cstdint>
-#include <vector>
+#include <cstring>
 
 namespace impact {
 
-/// A message of this type as it goes over the wire, to be handed on unread. The type must begin
-/// with `header` and `run`.
+/// A message of this type as it goes over the wire, to be handed on unread, or serialised once for
+/// all who get it. The type must begin with `header` and `run`. Copies share the bytes, and a
+/// publisher writes its count of messages into them, header.seq.
 template <class Message>
 struct RawMessage {
+  RawMessage() = default;
+  /// Of a message, or of what is serialised to the same bytes.
+  template <class Source>
+  explicit RawMessage(const Source& source)
+      : run(source.run), wire(ros::serialization::serializeMessage(source)) {}
+
+  /// Without the length that goes before it.
+  std::uint32_t size() const {
+    return static_cast<std::uint32_t>(wire.num_bytes - sizeof(std::uint32_t));
+  }
+
   std::uint32_t run = 0;
-  std::vector<std::uint8_t> bytes;
+  ros::SerializedMessage wire;
 };
 
 }  // namespace impact
@@ -51,8 +64,13 @@ struct Serializer<impact::RawMessage<Message>> {
   template <class Stream>
   static void read(Stream& stream, impact::RawMessage<Message>& message) {
     const std::uint32_t size = stream.getLength();
-    const std::uint8_t* const bytes = stream.getData();
-    message.bytes.assign(bytes, bytes + size);
+    const std::size_t all = sizeof size + size;
+    message.wire =
+        ros::SerializedMessage(boost::shared_array<std::uint8_t>(new std::uint8_t[all]), all);
+    OStream start(message.wire.buf.get(), static_cast<std::uint32_t>(all));
+    start.next(size);
+    message.wire.message_start = start.getData();
+    std::memcpy(message.wire.message_start, stream.getData(), size);
     std_msgs::Header header;
     stream.next(header);
     stream.next(message.run);
@@ -61,13 +79,25 @@ struct Serializer<impact::RawMessage<Message>> {
 
   template <class Stream>
   static void write(Stream& stream, const impact::RawMessage<Message>& message) {
-    const auto size = static_cast<std::uint32_t>(message.bytes.size());
-    std::copy(message.bytes.begin(), message.bytes.end(), stream.advance(size));
+    const std::uint32_t size = message.size();
+    std::memcpy(stream.advance(size), message.wire.message_start, size);
   }
 
   static std::uint32_t serializedLength(const impact::RawMessage<Message>& message) {
-    return static_cast<std::uint32_t>(message.bytes.size());
+    return message.size();
   }
 };
+
+/// What the simulation publishes without a copy.
+template <>
+inline SerializedMessage serializeMessage(
+    const impact::RawMessage<lattice_impact::ParticleStates>& message) {
+  return message.wire;
+}
+template <>
+inline SerializedMessage serializeMessage(
+    const impact::RawMessage<lattice_impact::ContactForces>& message) {
+  return message.wire;
+}
 
 }  // namespace ros::serialization

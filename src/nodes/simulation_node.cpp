@@ -13,6 +13,7 @@
 #include "nodes/checksum.hpp"
 #include "nodes/conversions.hpp"
 #include "nodes/program.hpp"
+#include "nodes/states_of_body.hpp"
 #include "run/forecast.hpp"
 #include "scene/scene_parameters.hpp"
 
@@ -256,14 +257,16 @@ void SimulationNode::publish_output(Run& run, ImpactAnalysis& analysis) {
 }
 
 void SimulationNode::send(std::size_t body, const Run& run, const ContactReport& report) {
-  to_message(run.state(), run.system().field().body(body), states_);
   to_message(report, forces_);
-  states_.header.stamp = forces_.header.stamp = stamp(run);
-  states_.run = forces_.run = status_.run;
-  states_.sequence = forces_.sequence = status_.states;
-  if (body == 0) checksum_ += checksum_of(states_) + checksum_of(forces_);
-  streams_.send(body, states_);
-  streams_.send(body, forces_);
+  forces_.header.stamp = stamp(run);
+  forces_.run = status_.run;
+  forces_.sequence = status_.states;
+  const RawMessage<lattice_impact::ContactForces> forces(forces_);
+  const RawMessage<lattice_impact::ParticleStates> states(StatesOfBody{
+      forces_.header, forces_.run, forces_.sequence, run.state(), run.system().field().body(body)});
+  if (body == 0) checksum_ += checksum_of(states) + checksum_of(forces);
+  streams_.send(body, forces_.header.stamp, states);
+  streams_.send(body, forces_.header.stamp, forces);
 }
 
 void SimulationNode::send_scalars(const Run& run, const ContactReport& report) {

@@ -69,12 +69,11 @@ class SimulationNode {
   ros::Publisher clock_;
   std::optional<ros::WallRate> rate_;
 
-  ros::Time run_start_{1.0};               ///< simulated; a bag refuses the stamp 0
-  lattice_impact::RunStatus status_;       ///< of the present run, as last published
-  lattice_impact::ParticleStates states_;  ///< as last published, like the next
-  lattice_impact::ContactForces forces_;
-  std::optional<ProgressLog> progress_;  ///< of the present run
-  std::uint64_t checksum_ = 0;           ///< of the disk's messages of the present run
+  ros::Time run_start_{1.0};              ///< simulated; a bag refuses the stamp 0
+  lattice_impact::RunStatus status_;      ///< of the present run, as last published
+  lattice_impact::ContactForces forces_;  ///< as last published, of any body
+  std::optional<ProgressLog> progress_;   ///< of the present run
+  std::uint64_t checksum_ = 0;            ///< of the disk's messages of the present run
 };
 
 }  // namespace impact

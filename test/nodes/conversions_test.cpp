@@ -48,16 +48,6 @@ TEST(Conversions, ContactReportRoundTripKeepsEveryBit) {
 }
 
 TEST(Conversions, IntoTheSameMessageLeaveNothingOfTheOneBefore) {
-  State state{0.5, 17, place_in_disk({50}, 1), place_in_disk({50}, 2)};
-  lattice_impact::ParticleStates states = to_message(state);
-  Body body;
-  body.first = 20;
-  body.points = 10;
-  to_message(state, body, states);
-  const State again = from_message(states);
-  EXPECT_TRUE((again.position == body.rows_of(state.position)).all());
-  EXPECT_TRUE((again.velocity == body.rows_of(state.velocity)).all());
-
   ContactReport report;
   report.points = {{4, {0.0, 0.5}}, {9, {0.5, 0.25}}};
   report.samples = {{0.05, 0.7}, {0.1, 0.4}};

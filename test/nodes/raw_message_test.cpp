@@ -9,8 +9,10 @@
 #include <lattice_impact/Scalars.h>
 #include <lattice_impact/Strain.h>
 
-#include <string>
+#include <cstring>
 #include <vector>
+
+#include "nodes/checksum.hpp"
 
 namespace impact {
 namespace {
@@ -52,6 +54,28 @@ TYPED_TEST(RawMessages, AreHandedOnAsTheyCameAndTellTheirRun) {
   const auto raw = read_raw<TypeParam>(bytes);
   EXPECT_EQ(raw.run, message.run);
   EXPECT_EQ(bytes_of_message(raw), bytes);
+}
+
+TYPED_TEST(RawMessages, HaveTheBytesAndTheChecksumOfTheMessage) {
+  TypeParam message;
+  message.header.stamp = ros::Time(4, 5);
+  message.run = 7;
+  const RawMessage<TypeParam> raw(message);
+  EXPECT_EQ(raw.run, 7U);
+  EXPECT_EQ(bytes_of_message(raw), bytes_of_message(message));
+  EXPECT_EQ(checksum_of(raw), checksum_of(message));
+}
+
+TEST(RawMessage, IsPublishedWithoutACopyAndAsTheMessageIs) {
+  lattice_impact::ParticleStates message;
+  message.x = {1.0, 2.0};
+  const RawMessage<lattice_impact::ParticleStates> raw(message);
+  const ros::SerializedMessage sent = ros::serialization::serializeMessage(raw);
+  const ros::SerializedMessage expected = ros::serialization::serializeMessage(message);
+  EXPECT_EQ(sent.buf, raw.wire.buf);
+  ASSERT_EQ(sent.num_bytes, expected.num_bytes);
+  EXPECT_EQ(std::memcmp(sent.buf.get(), expected.buf.get(), sent.num_bytes), 0);
+  EXPECT_EQ(sent.message_start - sent.buf.get(), expected.message_start - expected.buf.get());
 }
 
 TYPED_TEST(RawMessages, PassForTheMessageItself) {
