@@ -61,9 +61,9 @@ def check_rviz():
     check_flag('rviz')
     if not argument('rviz'):
         return
-    if 'rviz' not in RosPack().list():
+    if 'rviz' not in packages.list():
         refuse('rviz: not installed; Debian has it in the package rviz')
-    if not find_node('lattice_impact', 'viewer_node'):
+    if not find_node('lattice_impact', 'viewer_node', packages):
         refuse('rviz: viewer_node is not built; install {} and build again'.format(
             'libdiagnostic-updater-dev libtf2-msgs-dev libvisualization-msgs-dev'))
     if not os.environ.get('DISPLAY'):
@@ -82,26 +82,32 @@ def check_recording():
 
 
 def check_by(program, *values):
-    found = find_node('lattice_impact', program)
+    """Started; its end is to be awaited by await_checks()."""
+    found = find_node('lattice_impact', program, packages)
     if not found:
         refuse('{} is not built: cmake --build build'.format(program))
-    check = subprocess.run([found[0], '--check', *values],
-                           stderr=subprocess.PIPE, universal_newlines=True)
-    if check.returncode != 0:
-        refuse(check.stderr.strip().partition(': ')[2])
+    return subprocess.Popen([found[0], '--check', *values],
+                            stderr=subprocess.PIPE, universal_newlines=True)
+
+
+def await_checks(*checks):
+    for check in checks:
+        problem = check.communicate()[1]
+        if check.returncode != 0:
+            refuse(problem.strip().partition(': ')[2])
 
 
 def check_scene():
-    check_by('impact', str(argument('scene')), *yaml.safe_load(argument('assignments')))
+    return check_by('impact', str(argument('scene')), *yaml.safe_load(argument('assignments')))
 
 
 def check_parameters(node, *names):
-    check_by(node, *('{}={}'.format(name, argument(name)) for name in names))
+    return check_by(node, *('{}={}'.format(name, argument(name)) for name in names))
 
 
 def check_replay():
-    check_by('replay_node', 'bag={}'.format(path_of_bag()),
-             *('{0}={1}'.format(name, argument(name)) for name in ('ns', 'rate')))
+    return check_by('replay_node', 'bag={}'.format(path_of_bag()),
+                    *('{0}={1}'.format(name, argument(name)) for name in ('ns', 'rate')))
 
 
 def is_about_to_run():
@@ -112,13 +118,16 @@ def is_about_to_run():
 
 if is_about_to_run():
     arguments = declared_arguments()
+    packages = RosPack()
     check_names(arguments)
     check_rviz()
     if 'scene' in arguments:
-        check_scene()
-        check_parameters('simulation_node', 'max_rate', 'timeout', 'publish_clock')
-        check_parameters('analysis_node', 'young_modulus', 'poisson_ratio', 'timeout')
+        await_checks(
+            check_scene(),
+            check_parameters('simulation_node', 'max_rate', 'timeout', 'publish_clock'),
+            check_parameters('analysis_node', 'young_modulus', 'poisson_ratio', 'timeout'))
         check_recording()
     else:
-        check_parameters('analysis_node', 'young_modulus', 'poisson_ratio', 'linger', 'wait_for')
-        check_replay()
+        await_checks(check_parameters('analysis_node', 'young_modulus', 'poisson_ratio', 'linger',
+                                      'wait_for'),
+                     check_replay())

@@ -7,8 +7,8 @@ packages="g++ make cmake catkin ros-message-generation ros-std-msgs ros-rosgraph
   rosbash libboost-dev libeigen3-dev libcgal-dev libyaml-cpp-dev libcli11-dev libfmt-dev libgsl-dev
   zlib1g-dev"
 viewer_packages="libdiagnostic-updater-dev libtf2-msgs-dev libvisualization-msgs-dev"
-test_packages="$viewer_packages libsundials-dev librostest-dev libgtest-dev libbenchmark-dev
-  python3-rostest python3-rosbag python3-matplotlib python3-meshio python3-numpy"
+test_packages="$viewer_packages libsundials-dev libisal-dev librostest-dev libgtest-dev
+  libbenchmark-dev python3-rostest python3-rosbag python3-matplotlib python3-meshio python3-numpy"
 
 log_folder=build/log
 

@@ -47,7 +47,7 @@ bool AnalysisNode::run() {
   }
   analysis_.close();
   if (parameters_.exit_when_done) wait_for_publishers_to_go();
-  ros::WallDuration(parameters_.linger).sleep();
+  linger();
   return complete_;
 }
 
@@ -91,6 +91,7 @@ void AnalysisNode::publish(const lattice_impact::LawFit& law) {
 }
 
 void AnalysisNode::acknowledge(std::uint32_t run, std::uint32_t sequence) {
+  if (analysis_.is_open(run) && sequence % Pacing::kStep != 0) return;
   lattice_impact::Acknowledged message;
   message.reader = ros::this_node::getName();
   message.run = run;
@@ -113,6 +114,15 @@ void AnalysisNode::wait_for_publishers_to_go() {
   const ros::WallTime start = ros::WallTime::now();
   while (!is_alone() && !asked_to_end() &&
          (ros::WallTime::now() - start).toSec() < parameters_.timeout) {
+    serve_callbacks();
+  }
+}
+
+/// Where readers were named, until the last subscriber has gone.
+void AnalysisNode::linger() {
+  const bool for_readers = !parameters_.wait_for.empty();
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(parameters_.linger);
+  while (ros::WallTime::now() < end && !(for_readers && readers_.subscribers().empty())) {
     serve_callbacks();
   }
 }

@@ -37,6 +37,7 @@ class AnalysisNode {
   void acknowledge(std::uint32_t run, std::uint32_t sequence);
   bool is_alone() const;
   void wait_for_publishers_to_go();
+  void linger();
   bool nothing_more_comes() const;
 
   AnalysisNodeParameters parameters_;

@@ -2,19 +2,28 @@
 
 #include <lattice_impact/RunStatus.h>
 #include <ros/serialization.h>
-#include <zlib.h>
 
 #include <cstdint>
+#include <cstring>
+
+#include "nodes/crc32.hpp"
+#include "nodes/raw_message.hpp"
 
 namespace impact {
 
 /// CRC-32 of a message as it goes over the wire, but for header.seq, which every publisher counts
 /// for itself.
 template <class Message>
-std::uint64_t checksum_of(Message message) {
-  message.header.seq = 0;
+std::uint64_t checksum_of(const Message& message) {
   const ros::SerializedMessage bytes = ros::serialization::serializeMessage(message);
-  return crc32(crc32(0, nullptr, 0), bytes.buf.get(), static_cast<uInt>(bytes.num_bytes));
+  std::memset(bytes.message_start, 0, sizeof message.header.seq);  // it comes first
+  return crc32_of(bytes.buf.get(), bytes.num_bytes);
+}
+
+/// The same of one that was not yet published.
+template <class Message>
+std::uint64_t checksum_of(const RawMessage<Message>& message) {
+  return crc32_of(message.wire.buf.get(), message.wire.num_bytes);
 }
 
 /// RunStatus::checksum after messages with this sum, and this one.

@@ -71,8 +71,17 @@ lattice_impact::ParticleStates to_message(const State& state) {
 
 lattice_impact::ContactForces to_message(const ContactReport& report) {
   lattice_impact::ContactForces message;
+  to_message(report, message);
+  return message;
+}
+
+void to_message(const ContactReport& report, lattice_impact::ContactForces& message) {
   message.step = report.step;
   message.time = report.time;
+  for (auto* column : {&message.fx, &message.fy, &message.sample_time, &message.sample_force}) {
+    column->clear();
+  }
+  message.point.clear();
   for (const PointForce& contact : report.points) {
     message.point.push_back(static_cast<std::uint32_t>(contact.point));
     message.fx.push_back(contact.force.x());
@@ -86,7 +95,6 @@ lattice_impact::ContactForces to_message(const ContactReport& report) {
     message.sample_time.push_back(sample.time);
     message.sample_force.push_back(sample.force);
   }
-  return message;
 }
 
 lattice_impact::EnergyLedger to_message(const EnergyLedger& ledger, double error) {

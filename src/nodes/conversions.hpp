@@ -27,6 +27,8 @@ namespace impact {
 lattice_impact::Lattice to_message(const Lattice& lattice);
 lattice_impact::ParticleStates to_message(const State& state);
 lattice_impact::ContactForces to_message(const ContactReport& report);
+/// The same into a message whose arrays keep their memory.
+void to_message(const ContactReport& report, lattice_impact::ContactForces& message);
 lattice_impact::EnergyLedger to_message(const EnergyLedger& ledger, double error);
 /// Step, time and force are those of `report`.
 lattice_impact::Scalars to_message(const BodyMotion& motion, const ContactReport& report,

@@ -34,9 +34,9 @@ void DataStreams::open_bag(const std::string& bag) {
 
 /// A bag that could not be written is not written to again.
 template <class Message>
-void DataStreams::write(const std::string& topic, const Message& message) {
+void DataStreams::write(const std::string& topic, const ros::Time& stamp, const Message& message) {
   try {
-    bag_->write(topic, message.header.stamp, message);
+    bag_->write(topic, stamp, message);
   } catch (const std::runtime_error&) {
     bag_.reset();
     throw;
@@ -44,26 +44,33 @@ void DataStreams::write(const std::string& topic, const Message& message) {
 }
 
 template <class Message>
-void DataStreams::send(const ros::Publisher& publisher, const Message& message) {
-  if (bag_) write(publisher.getTopic(), message);
+void DataStreams::send(const ros::Publisher& publisher, const ros::Time& stamp,
+                       const Message& message) {
+  if (bag_) write(publisher.getTopic(), stamp, message);
   if (publisher.getNumSubscribers() > 0 || publisher.isLatched()) publisher.publish(message);
 }
 
 void DataStreams::send(std::size_t body, const lattice_impact::Lattice& message) {
-  send(bodies_[body].lattice, message);
+  send(bodies_[body].lattice, message.header.stamp, message);
 }
 
-void DataStreams::send(std::size_t body, const lattice_impact::ParticleStates& message) {
-  send(bodies_[body].states, message);
+void DataStreams::send(std::size_t body, const ros::Time& stamp,
+                       const RawMessage<lattice_impact::ParticleStates>& message) {
+  send(bodies_[body].states, stamp, message);
 }
 
-void DataStreams::send(std::size_t body, const lattice_impact::ContactForces& message) {
-  send(bodies_[body].forces, message);
+void DataStreams::send(std::size_t body, const ros::Time& stamp,
+                       const RawMessage<lattice_impact::ContactForces>& message) {
+  send(bodies_[body].forces, stamp, message);
 }
 
-void DataStreams::send(const lattice_impact::RunStatus& message) { send(status_, message); }
+void DataStreams::send(const lattice_impact::RunStatus& message) {
+  send(status_, message.header.stamp, message);
+}
 
-void DataStreams::send(const lattice_impact::Scalars& message) { send(scalars_, message); }
+void DataStreams::send(const lattice_impact::Scalars& message) {
+  send(scalars_, message.header.stamp, message);
+}
 
 std::string DataStreams::close(bool complete) {
   if (!bag_) return {};

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <lattice_impact/ContactForces.h>
 #include <lattice_impact/Lattice.h>
-#include <lattice_impact/ParticleStates.h>
 #include <lattice_impact/RunStatus.h>
 #include <lattice_impact/Scalars.h>
 #include <ros/ros.h>
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "nodes/bag_file.hpp"
+#include "nodes/raw_message.hpp"
 #include "nodes/readers.hpp"
 
 namespace impact {
@@ -35,8 +34,10 @@ class DataStreams {
   bool scalars_heard() const;
 
   void send(std::size_t body, const lattice_impact::Lattice& message);
-  void send(std::size_t body, const lattice_impact::ParticleStates& message);
-  void send(std::size_t body, const lattice_impact::ContactForces& message);
+  void send(std::size_t body, const ros::Time& stamp,
+            const RawMessage<lattice_impact::ParticleStates>& message);
+  void send(std::size_t body, const ros::Time& stamp,
+            const RawMessage<lattice_impact::ContactForces>& message);
   void send(const lattice_impact::RunStatus& message);
   void send(const lattice_impact::Scalars& message);
 
@@ -52,9 +53,9 @@ class DataStreams {
   };
 
   template <class Message>
-  void write(const std::string& topic, const Message& message);
+  void write(const std::string& topic, const ros::Time& stamp, const Message& message);
   template <class Message>
-  void send(const ros::Publisher& publisher, const Message& message);
+  void send(const ros::Publisher& publisher, const ros::Time& stamp, const Message& message);
 
   std::vector<Topics> bodies_;
   ros::Publisher status_;

@@ -48,9 +48,9 @@ Parameter<T> timeout(std::string meaning) {
 }
 
 template <class T>
-Parameter<T> linger() {
+Parameter<T> linger(const std::string& unless = {}) {
   return real<T>(
-      "linger", "s", {0.0, 3600.0}, "how long to stay after the last message",
+      "linger", "s", {0.0, 3600.0}, "how long to stay after the last message" + unless,
       [](auto& p) -> auto& { return p.linger; });
 }
 
@@ -88,7 +88,7 @@ const std::vector<Parameter<SimulationNodeParameters>>& simulation_node_paramete
       real<P>(
           "max_rate", "states/s", {0.0, 1e6}, "most states published a second; 0: no limit",
           [](auto& p) -> auto& { return p.max_rate; }),
-      linger<P>(),
+      linger<P>(", unless all who listen are in acknowledged_by"),
       flag<P>(
           "publish_clock", "publish the simulated time on /clock",
           [](auto& p) -> auto& { return p.publish_clock; }),
@@ -105,7 +105,7 @@ const std::vector<Parameter<AnalysisNodeParameters>>& analysis_node_parameters()
       wait_for<P>(),
       timeout<P>("how long to wait for a subscriber and, with exit_when_done, for any message"),
       patience<P>("silence after the end of a run at which missing messages count as lost"),
-      linger<P>(),
+      linger<P>("; with wait_for at most until nobody listens"),
       flag<P>(
           "exit_when_done",
           "end when the last run of the series is analysed, or its publishers have gone",

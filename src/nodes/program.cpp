@@ -81,7 +81,7 @@ bool check(int argc, char** argv, const NodeDescription& node) {
 bool asked_to_end() { return interrupted() || !ros::ok(); }
 
 void serve_callbacks() {
-  constexpr double kPoll = 0.1;  // s
+  constexpr double kPoll = 0.02;  // s
   ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll));
 }
 

@@ -45,6 +45,12 @@ bool Readers::hears(const std::string& name) const {
                      [&](const auto& topic) { return topic.second.count(name) > 0; });
 }
 
+std::set<std::string> Readers::subscribers() const {
+  std::set<std::string> all;
+  for (const auto& topic : subscribers_) all.insert(topic.second.begin(), topic.second.end());
+  return all;
+}
+
 bool Readers::all_there() const {
   return std::all_of(names_.begin(), names_.end(), [this](const std::string& name) {
     return std::all_of(subscribers_.begin(), subscribers_.end(),

@@ -39,6 +39,9 @@ class Readers {
   /// Whether a node subscribes to one of the topics.
   bool hears(const std::string& name) const;
 
+  /// Names of all nodes that subscribe to one of the topics.
+  std::set<std::string> subscribers() const;
+
  private:
   bool all_there() const;
   std::string missing() const;
@@ -53,6 +56,8 @@ class Pacing {
  public:
   /// States that it may be ahead of the slowest reader.
   static constexpr std::int64_t kWindow = 100;
+  /// States of a run of which a reader acknowledges one, and besides the end.
+  static constexpr std::uint32_t kStep = 10;
 
   Pacing(ros::NodeHandle& node, const std::vector<std::string>& names);
 
@@ -67,6 +72,9 @@ class Pacing {
   /// says of its name, or when nothing is acknowledged for `timeout` seconds.
   void wait(std::uint32_t run, std::int64_t sequence, double timeout,
             const std::function<bool(const std::string&)>& is_there);
+
+  /// Whether it waits for the acknowledgements of the node with this name.
+  bool heeds(const std::string& name) const { return acknowledged_.count(name) > 0; }
 
   /// Whether every reader has.
   bool is_acknowledged(std::uint32_t run, std::int64_t sequence) const;

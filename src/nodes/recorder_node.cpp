@@ -16,11 +16,18 @@
 
 #include "nodes/body_topics.hpp"
 #include "nodes/program.hpp"
+#include "nodes/raw_message.hpp"
+#include "nodes/readers.hpp"
 
 namespace impact {
 namespace {
 
 constexpr double kFarewell = 2.0;  // s of silence, after an interruption
+
+/// The status is read; of the others only the run.
+template <class Message>
+using Recorded = std::conditional_t<std::is_same_v<Message, lattice_impact::RunStatus>, Message,
+                                    RawMessage<Message>>;
 
 template <class Message>
 void count_in(Inventory& inventory, const std::string& topic, const Message& message) {
@@ -36,6 +43,12 @@ constexpr bool is_result() {
   return std::is_same_v<Message, lattice_impact::Strain> ||
          std::is_same_v<Message, lattice_impact::Restitution> ||
          std::is_same_v<Message, lattice_impact::LawFit>;
+}
+
+template <class Message>
+constexpr bool is_state() {
+  return std::is_same_v<Message, lattice_impact::ParticleStates> ||
+         std::is_same_v<Message, lattice_impact::ContactForces>;
 }
 
 /// Never 0, whatever the simulated time is, and rising as a replay needs it.
@@ -80,13 +93,13 @@ void RecorderNode::run() {
 template <class Message>
 void RecorderNode::record(const std::string& topic) {
   const std::string full_name = node_.resolveName(topic);
-  using Event = ros::MessageEvent<const Message>;
+  using Event = ros::MessageEvent<const Recorded<Message>>;
   const boost::function<void(const Event&)> take = [this, topic, full_name](const Event& event) {
     if (!is_result<Message>()) simulation_.note(event.getPublisherName());
     bag_.write(full_name, time_of_arrival(), *event.getMessage(), event.getConnectionHeaderPtr());
     count_in(inventory_, topic, *event.getMessage());
     ++results_[full_name];
-    acknowledge_states(event.getMessage()->run);
+    if (is_state<Message>()) acknowledge_states(event.getMessage()->run);
   };
   subscribers_.push_back(node_.subscribe<const Event&>(topic, 0, take, ros::VoidConstPtr(),
                                                        ros::TransportHints().tcpNoDelay()));
@@ -98,6 +111,7 @@ void RecorderNode::take_acknowledgement(const lattice_impact::Acknowledged& mess
 }
 
 void RecorderNode::acknowledge_states(std::uint32_t run) {
+  if (++state_messages_ % Pacing::kStep != 0) return;
   const std::pair<std::uint32_t, std::uint32_t> recorded{run, inventory_.states(run)};
   if (recorded <= recorded_ || recorded.second == 0) return;
   recorded_ = recorded;

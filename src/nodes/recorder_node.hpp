@@ -48,6 +48,7 @@ class RecorderNode {
   std::map<std::string, std::uint64_t> results_;  ///< recorded, by topic
   /// The latest of each node that publishes results.
   std::map<std::string, lattice_impact::Acknowledged> results_announced_;
+  std::uint64_t state_messages_ = 0;                  ///< recorded, of states and forces
   std::pair<std::uint32_t, std::uint32_t> recorded_;  ///< the latest run, and states of it
   std::uint32_t first_open_run_ = 0;
   ros::Publisher acknowledged_;

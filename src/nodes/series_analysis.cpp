@@ -207,8 +207,9 @@ void SeriesAnalysis::close(std::uint32_t number) {
     }
     report_closed(run, number, complete);
   }
-  outputs_.taken_in(number, run.status ? run.status->states : run.next_sequence);
+  const std::uint32_t states = run.status ? run.status->states : run.next_sequence;
   runs_.erase(number);
+  outputs_.taken_in(number, states);
 }
 
 void SeriesAnalysis::report_closed(const Run& run, std::uint32_t number, bool complete) const {

@@ -62,6 +62,9 @@ class SeriesAnalysis {
   /// True while a run has announced its end but messages of it are missing.
   bool waits_for_missing() const;
 
+  /// True when something of the run with this number has come, and its results are not yet out.
+  bool is_open(std::uint32_t number) const { return runs_.count(number) > 0; }
+
   /// True when the last run of the series is closed and no other is open.
   bool done() const { return series_ended_ && runs_.empty(); }
 

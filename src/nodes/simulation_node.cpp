@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "lattice/input_error.hpp"
 #include "nodes/checksum.hpp"
 #include "nodes/conversions.hpp"
 #include "nodes/program.hpp"
+#include "nodes/states_of_body.hpp"
 #include "run/forecast.hpp"
 #include "scene/scene_parameters.hpp"
 
@@ -148,7 +151,7 @@ bool SimulationNode::run_series() {
     ++status_.run;
   }
   close_bag(!asked_to_end());
-  ros::WallDuration(parameters_.linger).sleep();
+  if (asked_to_end() || !all_is_acknowledged()) ros::WallDuration(parameters_.linger).sleep();
   return !asked_to_end();
 }
 
@@ -239,7 +242,7 @@ void SimulationNode::publish_output(Run& run, ImpactAnalysis& analysis) {
   if (status_.states == 0 || run.finished()) run.show(analysis);
   if (streams_.scalars_heard()) send_scalars(run, reports.on_first);
   for (std::size_t body = 0; body < run.bodies().size(); ++body) {
-    if (streams_.heard(body)) send(body, run.state_of(body), reports.on(body), stamp(run));
+    if (streams_.heard(body)) send(body, run, reports.on(body));
   }
   ++status_.states;
   if (status_.states % kStatusInterval == 0) {
@@ -253,16 +256,17 @@ void SimulationNode::publish_output(Run& run, ImpactAnalysis& analysis) {
   keep_pace();
 }
 
-void SimulationNode::send(std::size_t body, const State& state, const ContactReport& report,
-                          const ros::Time& stamp) {
-  lattice_impact::ParticleStates states = to_message(state);
-  lattice_impact::ContactForces forces = to_message(report);
-  states.header.stamp = forces.header.stamp = stamp;
-  states.run = forces.run = status_.run;
-  states.sequence = forces.sequence = status_.states;
+void SimulationNode::send(std::size_t body, const Run& run, const ContactReport& report) {
+  to_message(report, forces_);
+  forces_.header.stamp = stamp(run);
+  forces_.run = status_.run;
+  forces_.sequence = status_.states;
+  const RawMessage<lattice_impact::ContactForces> forces(forces_);
+  const RawMessage<lattice_impact::ParticleStates> states(StatesOfBody{
+      forces_.header, forces_.run, forces_.sequence, run.state(), run.system().field().body(body)});
   if (body == 0) checksum_ += checksum_of(states) + checksum_of(forces);
-  streams_.send(body, states);
-  streams_.send(body, forces);
+  streams_.send(body, forces_.header.stamp, states);
+  streams_.send(body, forces_.header.stamp, forces);
 }
 
 void SimulationNode::send_scalars(const Run& run, const ContactReport& report) {
@@ -301,13 +305,25 @@ void SimulationNode::keep_pace() {
   readers_.check();
   wall_readers_.check();
   scalar_readers_.check();
-  wait_for_readers(static_cast<std::int64_t>(status_.states) - Pacing::kWindow);
+  const std::int64_t due = static_cast<std::int64_t>(status_.states) - Pacing::kWindow;
+  if (due >= 0) wait_for_readers(due);
   if (rate_) rate_->sleep();
 }
 
 void SimulationNode::wait_for_readers(std::int64_t sequence) {
   pacing_.wait(status_.run, sequence, parameters_.timeout, [this](const std::string& name) {
     return readers_.hears(name) || wall_readers_.hears(name);
+  });
+}
+
+/// By everybody who listens, when the last run has ended.
+bool SimulationNode::all_is_acknowledged() const {
+  if (parameters_.acknowledged_by.empty()) return false;
+  const auto readers = {&readers_, &wall_readers_, &scalar_readers_};
+  return std::all_of(readers.begin(), readers.end(), [this](const Readers* group) {
+    const std::set<std::string> names = group->subscribers();
+    return std::all_of(names.begin(), names.end(),
+                       [this](const std::string& name) { return pacing_.heeds(name); });
   });
 }
 

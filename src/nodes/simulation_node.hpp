@@ -47,13 +47,13 @@ class SimulationNode {
   void start(const Scene& scene, const Run& run);
   void publish_output(Run& run, ImpactAnalysis& analysis);
   void send_lattice(std::size_t body, const Run& run);
-  void send(std::size_t body, const State& state, const ContactReport& report,
-            const ros::Time& stamp);
+  void send(std::size_t body, const Run& run, const ContactReport& report);
   void send_scalars(const Run& run, const ContactReport& report);
   void publish_status(const Run& run, std::uint8_t phase, const std::string& error = {});
   void take_answer(const ErrorControl& control);
   void keep_pace();
   void wait_for_readers(std::int64_t sequence);
+  bool all_is_acknowledged() const;
   void close_bag(bool complete);
   ros::Time stamp(const Run& run) const;
 
@@ -69,10 +69,11 @@ class SimulationNode {
   ros::Publisher clock_;
   std::optional<ros::WallRate> rate_;
 
-  ros::Time run_start_{1.0};             ///< simulated; a bag refuses the stamp 0
-  lattice_impact::RunStatus status_;     ///< of the present run, as last published
-  std::optional<ProgressLog> progress_;  ///< of the present run
-  std::uint64_t checksum_ = 0;           ///< of the disk's messages of the present run
+  ros::Time run_start_{1.0};              ///< simulated; a bag refuses the stamp 0
+  lattice_impact::RunStatus status_;      ///< of the present run, as last published
+  lattice_impact::ContactForces forces_;  ///< as last published, of any body
+  std::optional<ProgressLog> progress_;   ///< of the present run
+  std::uint64_t checksum_ = 0;            ///< of the disk's messages of the present run
 };
 
 }  // namespace impact

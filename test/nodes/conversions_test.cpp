@@ -47,6 +47,18 @@ TEST(Conversions, ContactReportRoundTripKeepsEveryBit) {
   EXPECT_EQ(again.samples[1].force, 0.4);
 }
 
+TEST(Conversions, IntoTheSameMessageLeaveNothingOfTheOneBefore) {
+  ContactReport report;
+  report.points = {{4, {0.0, 0.5}}, {9, {0.5, 0.25}}};
+  report.samples = {{0.05, 0.7}, {0.1, 0.4}};
+  lattice_impact::ContactForces forces = to_message(report);
+  report.points.pop_back();
+  report.samples.pop_back();
+  to_message(report, forces);
+  EXPECT_EQ(from_message(forces).points.size(), 1U);
+  EXPECT_EQ(from_message(forces).samples.size(), 1U);
+}
+
 /// Each energy is its own: powers of two, whose sum tells them apart.
 TEST(Conversions, OfALedgerKeepEveryEnergy) {
   EnergyLedger ledger;

@@ -227,6 +227,24 @@ TEST(SeriesAnalysis, HandsOnAClosedRunBeforeItsEndIsAcknowledged) {
   EXPECT_EQ(listener.acknowledged_before[0].second + 1, listener.taken_in.back().second);
 }
 
+TEST(SeriesAnalysis, HasARunOpenFromItsFirstMessageUntilItsEndIsAcknowledged) {
+  std::vector<bool> open;
+  SeriesAnalysis* asked = nullptr;
+  SeriesAnalysis analysis(
+      {[](const auto&) {}, [](const auto&) {}, [](const auto&) {},
+       [&](std::uint32_t run, std::uint32_t) { open.push_back(asked->is_open(run)); },
+       [](const auto&) {}});
+  asked = &analysis;
+  EXPECT_FALSE(analysis.is_open(0));
+  for (const Message& message : messages_of(small_scene(SceneKind::kCollision), 0)) {
+    std::visit([&](const auto& content) { analysis.add(content); }, message);
+  }
+  ASSERT_GT(open.size(), 2U);
+  EXPECT_FALSE(open.back());
+  open.pop_back();
+  EXPECT_TRUE(std::all_of(open.begin(), open.end(), [](bool is) { return is; }));
+}
+
 /// One state is lost: no number is given, and it is said why.
 TEST(SeriesAnalysis, ReportsAGap) {
   std::vector<Message> messages = messages_of(small_scene(SceneKind::kCollision), 0);

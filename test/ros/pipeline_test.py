@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The simulation and the analysis node together find what the impact tool finds, bit for bit."""
 
+import contextlib
 import os
 import tempfile
 import time
@@ -12,7 +13,8 @@ from lattice_impact.msg import ContactForces, Lattice, ParticleStates, RunStatus
 
 from master_witness import MasterWithLateLink
 from programs import (IMPACT_RESULTS, PACKAGE, SMALL_COLLISION, SMALL_CONTACT, TIMEOUT, Inbox,
-                      bag_messages, impact, poll_until, random_namespace)
+                      analysis, bag_messages, impact, poll_until, random_namespace, recorder,
+                      simulation)
 from results import Pipeline
 
 DATA_TOPICS = {'lattice': Lattice, 'particle_states': ParticleStates,
@@ -95,6 +97,33 @@ class PipelineTest(unittest.TestCase):
                 pipeline.finish()
                 restitution = pipeline.results.final_restitution()
         self.assert_equals_tool(restitution, 'collision', SMALL_COLLISION)
+
+    def test_nodes_whose_readers_have_everything_do_not_linger(self):
+        namespace = random_namespace()
+        forever = 10 * TIMEOUT
+        with tempfile.TemporaryDirectory() as folder, \
+                recorder(namespace, bag=os.path.join(folder, 'run.bag'),
+                         results_of=['analysis']) as writer, \
+                analysis(namespace, wait_for=['recorder'], exit_when_done=True,
+                         linger=forever) as reader, \
+                simulation(namespace, 'collision', SMALL_COLLISION,
+                           wait_for=['analysis', 'recorder'], wait_for_scalars=['recorder'],
+                           linger=forever,
+                           acknowledged_by=['analysis', 'recorder']) as source:
+            for process in (source, reader, writer):
+                self.assertEqual(process.wait(), 0, process.stderr())
+
+    def test_simulation_lingers_for_a_reader_that_acknowledges_nothing(self):
+        namespace = random_namespace()
+        with Inbox(namespace + '/run_status', RunStatus) as statuses, \
+                Pipeline(namespace, 'collision', SMALL_COLLISION, linger=10 * TIMEOUT,
+                         wait_for=['analysis', rospy.get_name()]) as pipeline, \
+                contextlib.ExitStack() as inboxes:
+            for topic, kind in DATA_TOPICS.items():
+                inboxes.enter_context(Inbox(namespace + '/' + topic, kind))
+            statuses.wait(lambda status: status.phase == RunStatus.FINISHED, 'of the end')
+            time.sleep(1.0)  # it would have gone at once
+            self.assertTrue(pipeline.simulation.is_running())
 
     def test_series_of_two_velocities(self):
         velocities = [0.01, 0.02]
