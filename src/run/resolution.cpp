@@ -65,6 +65,25 @@ constexpr double kAim = 0.5;
 /// Whether runs are planned as if their answer were not extrapolated.
 bool is_compared(IntegratorKind integrator) { return order_of(integrator) == 6; }
 
+const Coarsening& coarsening_of(IntegratorKind integrator) {
+  return is_compared(integrator) ? kCoarseningOfOrder6 : kCoarsening;
+}
+
+/// How many steps of a scale lie between these.
+double places_between(double step, double longer, double base) {
+  return std::log(longer / step) / std::log(base);
+}
+
+/// Methods that solve for damped velocities have a factor for their step, which runs in lanes
+/// share: so their steps are taken from a scale that is the same for all scenes.
+double on_scale(IntegratorKind integrator, double step) {
+  constexpr double kRounding = 1e-6;
+  if (!solves_for_damping(integrator)) return step;
+  const double base = coarsening_of(integrator).least;
+  return kLongestStep *
+         std::pow(base, -std::ceil(places_between(step, kLongestStep, base) - kRounding));
+}
+
 /// What the wall is likely to add to the square of a frequency, as Simulation forecasts it for
 /// steps of this length. The points that meet the greatest forces are the slowest then: the
 /// forecast grows with a v h as its greatest value in some 250 impacts did (N = 300 and 1099, 0.01
@@ -117,14 +136,17 @@ double longest_way(const Scene& scene, IntegratorKind integrator, int runs) {
 /// The last of so many runs of an answer, as it is likely to be needed.
 Resolution last_of(int runs, const Scene& scene, IntegratorKind integrator, const Rates& rates) {
   const int leading = runs - 1;
-  const Coarsening& by = is_compared(integrator) ? kCoarseningOfOrder6 : kCoarsening;
+  const Coarsening& by = coarsening_of(integrator);
   const double wall_rate = scene.wall.a * scene.impact.approach_velocity();
   double longest = longest_step(scene, integrator, rates);
-  const double step =
-      dividing_resets(scene, std::min(longest / std::pow(by.least, leading),
-                                      longest_way(scene, integrator, runs) / wall_rate));
+  const double step = dividing_resets(
+      scene, on_scale(integrator, std::min(longest / std::pow(by.least, leading),
+                                           longest_way(scene, integrator, runs) / wall_rate)));
   if (!is_compared(integrator)) longest = std::min(longest, kLongestResolvedWay / wall_rate);
-  const double coarsening = std::min(by.most, std::pow(longest / step, 1.0 / leading));
+  double coarsening = std::min(by.most, std::pow(longest / step, 1.0 / leading));
+  if (solves_for_damping(integrator)) {
+    coarsening = std::pow(by.least, std::floor(places_between(1.0, coarsening, by.least)));
+  }
   return {integrator, step, 0.0, 0.0, leading, coarsening};
 }
 
@@ -304,7 +326,7 @@ std::vector<Resolution> leading_up_to(const Scene& scene, const Resolution& fine
     if (is_adaptive(finest.integrator)) {
       coarser.tolerance *= std::pow(finest.coarsening, kToleranceOrder);
     } else {
-      coarser.step *= finest.coarsening;
+      coarser.step = on_scale(finest.integrator, coarser.step * finest.coarsening);
     }
     runs.push_back(coarser);
   }
@@ -321,7 +343,7 @@ Resolution finer(const Scene& scene, const Resolution& resolution, double factor
   if (is_adaptive(resolution.integrator)) {
     next.tolerance /= std::pow(factor, kToleranceOrder);
   } else {
-    next.step = dividing_resets(scene, resolution.step / factor);
+    next.step = dividing_resets(scene, on_scale(resolution.integrator, resolution.step / factor));
   }
   return next;
 }

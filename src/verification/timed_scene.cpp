@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "fits/statistics.hpp"
+#include "kernels/threads.hpp"
 #include "output/interruption.hpp"
 #include "scene/scene_parameters.hpp"
 #include "series/convergence_study.hpp"
@@ -75,6 +76,7 @@ void throw_if_interrupted() {
 }
 
 void TimedScene::run(double longest) {
+  threads_in_a_run() = 1;
   using Clock = std::chrono::steady_clock;
   const Clock::time_point wall_start = Clock::now();
   const std::clock_t start = std::clock();

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "expect_input_error.hpp"
 #include "mechanics/blanes_moan.hpp"
@@ -92,7 +93,8 @@ TEST(Integrators, OfFixedStepAreMade) {
 }
 
 /// Stable with the wall at its stiffest; and not needlessly short: where accuracy asks for nothing,
-/// 0.96 of the limit over that of two runs with steps up to 1.3 times as long each.
+/// 0.96 of the limit over that of two runs with steps up to 1.3 times as long each, and the next
+/// one below on the scale of methods that solve.
 TEST(FirstResolution, StaysBelowTheLimitOfLatticeDampingAndWall) {
   for (const auto integrator :
        {IntegratorKind::kVerlet, IntegratorKind::kBlanesMoan, IntegratorKind::kImplicitDamping,
@@ -106,7 +108,8 @@ TEST(FirstResolution, StaysBelowTheLimitOfLatticeDampingAndWall) {
             step_limit(integrator, spectrum.omega_squared + wall * kPoints, spectrum.gamma);
         EXPECT_LE(step(scene, spectrum), 0.96 * limit);
         if (velocity < 0.1) {
-          EXPECT_GE(step(scene, spectrum), std::min(0.1, 0.96 * limit) / 1.69);
+          const double scale = solves_for_damping(integrator) ? kRefinement : 1.0;
+          EXPECT_GE(step(scene, spectrum), std::min(0.1, 0.96 * limit) / (1.69 * scale));
         }
       }
     }
@@ -161,6 +164,34 @@ TEST(FirstResolution, OfAnAdaptiveIntegratorHasItsTolerance) {
   EXPECT_EQ(first(scene, {8100.0, 12.4}).tolerance, 1e-5);
   scene.numerics.tolerance = 1e-3;
   EXPECT_EQ(first(scene, {8100.0, 12.4}).tolerance, 1e-3);
+}
+
+/// So that runs of different scenes have a factor in common.
+TEST(FirstResolution, OfMethodsThatSolveIsOnAScale) {
+  const auto resolution = [](IntegratorKind integrator, double velocity, double error) {
+    Scene scene = scene_with(integrator, velocity, 100.0);
+    scene.numerics.error = error;
+    return first(scene, {8100.0, 1240.0});
+  };
+  for (const auto& [integrator, base] : {std::pair(IntegratorKind::kImplicitDamping, 1.12),
+                                         std::pair(IntegratorKind::kExtrapolatedDamping, 1.2)}) {
+    for (const double velocity : {0.003, 0.0123, 0.05, 0.2}) {
+      for (const double error : {1e-2, 1e-5, 1e-7}) {
+        const Resolution last = resolution(integrator, velocity, error);
+        const auto runs = leading_up_to(scene_with(integrator, velocity, 100.0), last);
+        for (const Resolution& run : runs) {
+          const double place = std::log(0.1 / run.step) / std::log(base);
+          EXPECT_NEAR(place, std::round(place), 1e-9);
+          EXPECT_EQ(run.step, 0.1 * std::pow(base, -std::round(place)));
+        }
+        EXPECT_GE(runs[1].step / runs[0].step, base * (1.0 - 1e-9));
+      }
+    }
+  }
+  EXPECT_EQ(resolution(IntegratorKind::kImplicitDamping, 0.003, 1e-4).step,
+            resolution(IntegratorKind::kImplicitDamping, 0.0031, 1e-4).step);
+  EXPECT_NE(first(scene_with(IntegratorKind::kVerlet, 0.05, 0.0), {8100.0, 0.0}).step,
+            first(scene_with(IntegratorKind::kVerlet, 0.051, 0.0), {8100.0, 0.0}).step);
 }
 
 /// The coarsest of the runs of an answer, too, is stable and short enough to show its order; and
