@@ -183,7 +183,37 @@ TEST(TwoBodies, HalveTheStepAtTheLimitOfBothEnds) {
     Simulation simulation = bodies.simulation(share * longest);
     simulation.step();
     EXPECT_EQ(simulation.halvings(), share > 1.0 ? 1 : 0);
+    const double first = share * longest;
+    const double stiffest =
+        2.0 * Motion::kWallMargin * kA * force * std::exp(kA * kSpeed * first) / TwoBodies::kMass;
+    EXPECT_NEAR(simulation.stiffest_contact() / stiffest, 1.0, 1e-12);
   }
+}
+
+/// Of the points of both bodies that move towards each other fastest.
+double approach(const Simulation& simulation) {
+  const auto vertical = [&](const Body& body) {
+    return body.rows_of(simulation.state().velocity).col(1).eval();
+  };
+  const ForceField& field = simulation.field();
+  return std::max(0.0, -vertical(field.first_body()).minCoeff()) +
+         std::max(0.0, vertical(field.others.front()).maxCoeff());
+}
+
+/// Whether the step was halved or not, the stiffness is that of steps as long as the first.
+TEST(TwoBodies, TellTheGreatestStiffnessForTheFirstStep) {
+  const TwoBodies bodies(2.4, {0.0, -0.1}, GapMeasure::kNormal, 40.0);
+  Simulation halved = bodies.simulation(0.5);
+  double stiffest = 0.0;
+  while (halved.state().time < 3.0) {
+    const double force = halved.field().contact()->largest_force();
+    const double rate = 2.0 * Motion::kWallMargin * 40.0 * force *
+                        std::exp(40.0 * approach(halved) * 0.5) / TwoBodies::kMass;
+    stiffest = std::max(stiffest, rate);
+    halved.step();
+  }
+  EXPECT_GT(halved.halvings(), 0);
+  EXPECT_NEAR(halved.stiffest_contact() / stiffest, 1.0, 1e-12);
 }
 
 /// A body at rest that is hit from below is as one that falls: the step is halved at the same time,
