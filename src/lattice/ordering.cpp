@@ -1,23 +1,32 @@
 #include "lattice/ordering.hpp"
 
 #include <algorithm>
-#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/graph/cuthill_mckee_ordering.hpp>
 #include <boost/graph/properties.hpp>
+#include <utility>
 
 namespace impact {
 
 std::vector<std::int32_t> storage_order(Eigen::Index points, const std::vector<Bond>& bonds) {
-  using Properties = boost::property<boost::vertex_color_t, boost::default_color_type>;
-  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Properties>;
-  Graph graph(static_cast<std::size_t>(points));
+  using Nothing = boost::no_property;
+  using Graph = boost::compressed_sparse_row_graph<boost::directedS, Nothing, Nothing, Nothing,
+                                                   std::uint32_t, std::uint32_t>;
+  const auto size = static_cast<std::size_t>(points);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> from_both_ends;
+  from_both_ends.reserve(2 * bonds.size());
   for (const Bond& bond : bonds) {
-    boost::add_edge(static_cast<std::size_t>(bond.first), static_cast<std::size_t>(bond.second),
-                    graph);
+    from_both_ends.emplace_back(bond.first, bond.second);
+    from_both_ends.emplace_back(bond.second, bond.first);
   }
-  std::vector<std::int32_t> order(static_cast<std::size_t>(points));
-  boost::cuthill_mckee_ordering(graph, order.rbegin(), boost::get(boost::vertex_color, graph),
-                                boost::make_degree_map(graph));
+  const Graph graph(boost::edges_are_unsorted_multi_pass, from_both_ends.begin(),
+                    from_both_ends.end(), static_cast<std::uint32_t>(size));
+  std::vector<boost::default_color_type> colour(size);
+  std::vector<std::int32_t> order(size);
+  boost::cuthill_mckee_ordering(
+      graph, order.rbegin(),
+      boost::make_iterator_property_map(colour.begin(), boost::get(boost::vertex_index, graph)),
+      boost::make_out_degree_map(graph));
   return order;
 }
 

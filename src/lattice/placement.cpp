@@ -35,7 +35,9 @@ class SpacingGrid {
            ++i) {
         const std::int32_t other = occupant_[at(i, j)];
         if (other == kEmpty) continue;
-        if (std::hypot(points(other, 0) - x, points(other, 1) - y) < distance_) return false;
+        const double dx = points(other, 0) - x;
+        const double dy = points(other, 1) - y;
+        if (dx * dx + dy * dy < distance_ * distance_) return false;
       }
     }
     return true;
