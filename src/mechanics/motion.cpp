@@ -8,7 +8,7 @@ namespace impact {
 Motion::Motion(ForceField field, State initial, const Spectrum& spectrum, double step)
     : System(std::move(field), std::move(initial), step), spectrum_(spectrum) {
   if (const Contact* const wall = field_.contact()) {
-    inner_share_ = inner_share(wall->a(), field_.first_body().points);
+    inner_share_ = inner_share(wall->a(), spacing(field_.first_body().points));
   }
 }
 
@@ -16,8 +16,8 @@ double Motion::spacing(Eigen::Index points) {
   return std::sqrt(M_PI / static_cast<double>(points));
 }
 
-double Motion::inner_share(double a, Eigen::Index points) {
-  return std::exp(-a * kDepthOfOuterPoints * spacing(points));
+double Motion::inner_share(double a, double spacing) {
+  return std::exp(-a * kDepthOfOuterPoints * spacing);
 }
 
 void Motion::limit_step(const Contact& wall, double approach, const StepBound& bound) {

@@ -24,7 +24,7 @@ class Motion : public System {
   /// Mean spacing of so many points of a disk, √(π/N) R.
   static double spacing(Eigen::Index points);
   /// Of the force on an outer point, what an inner one may meet: exp(−a depth).
-  static double inner_share(double a, Eigen::Index points);
+  static double inner_share(double a, double spacing);
 
  protected:
   Motion(ForceField field, State initial, const Spectrum& spectrum, double step);

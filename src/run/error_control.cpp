@@ -101,7 +101,7 @@ void ErrorControl::plan(const Resolution& finest) {
 /// By the stiffness that the wall was seen to have. Where that does not explain the halving, or has
 /// been tried several times, just by shorter steps.
 void ErrorControl::plan_after_halving(const FinishedImpact& run) {
-  rates_.met = std::max(rates_.met.value_or(0.0), run.stiffest_contact);
+  rates_.met = run.stiffest_contact;
   Resolution next = first_resolution(scene_, rates_);
   next.lift = resolution_.lift;
   const double longest = leading_up_to(scene_, next).back().step;

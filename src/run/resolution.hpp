@@ -38,7 +38,7 @@ struct Rates {
   double sound_speed = 1.0;  ///< c
   /// What a run has met in the place of `wall`, its margin included: System::stiffest_contact().
   std::optional<double> met{};
-  double inner_share = 1.0;  ///< Motion::inner_share()
+  double spacing = 1.0;  ///< of the points of the disk, R
 };
 
 /// Estimate of the largest wall force on one point (M c²/R) during the run, for the choice of the

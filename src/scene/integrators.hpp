@@ -27,9 +27,9 @@ enum class Stepping {
   kStatic     ///< to a state at rest, without motion
 };
 
-/// For which forces `auto` may choose a method: kSmooth, those without damping whose contacts do
-/// not pass from bond to bond; in a slow impact before all others, see may_be_reduced().
-enum class AutoChoice { kNever, kSmooth, kUndamped, kDamped, kAlways, kSlow };
+/// For which forces `auto` may choose a method: kFlight, those without damping on a potential wall,
+/// and none at the start; in a slow impact before all others, see may_be_reduced().
+enum class AutoChoice { kNever, kFlight, kUndamped, kDamped, kAlways, kSlow };
 
 /// What the package knows of a method, besides how to make it (make_integrator()).
 struct IntegratorTraits {
@@ -60,7 +60,7 @@ inline constexpr std::array<IntegratorTraits, 10> kIntegrators{{
     {IntegratorKind::kVerlet, "verlet", Stepping::kFixed, 2,
          false, true, true, true, AutoChoice::kAlways, 1.0, 1.5},
     {IntegratorKind::kTakahashiImada, "takahashi_imada", Stepping::kFixed, 4,
-         false, false, false, true, AutoChoice::kSmooth, 1.9, 1.9},
+         false, false, false, true, AutoChoice::kFlight, 1.9, 1.9},
     {IntegratorKind::kBlanesMoan, "blanes_moan", Stepping::kFixed, 6,
          false, false, true, true, AutoChoice::kUndamped, 10.5, 10.5},
     {IntegratorKind::kImplicitDamping, "implicit_damping", Stepping::kFixed, 2,
@@ -95,12 +95,13 @@ constexpr bool solves_for_damping(IntegratorKind kind) {
 /// Order of a method whose step is given.
 constexpr int order_of(IntegratorKind kind) { return traits_of(kind).order; }
 
-/// Whether `auto` may choose the method where forces do, or do not, depend on velocities and
-/// contacts do, or do not, pass from bond to bond.
-constexpr bool is_automatic(const IntegratorTraits& method, bool damped, bool passing) {
+/// Whether `auto` may choose the method where forces do, or do not, depend on velocities, and where
+/// the disk does, or does not, fly to a potential wall without any, see
+/// Scene::flies_without_forces().
+constexpr bool is_automatic(const IntegratorTraits& method, bool damped, bool flies) {
   return method.choice == AutoChoice::kAlways ||
          method.choice == (damped ? AutoChoice::kDamped : AutoChoice::kUndamped) ||
-         (method.choice == AutoChoice::kSmooth && !damped && !passing);
+         (method.choice == AutoChoice::kFlight && flies && !damped);
 }
 
 }  // namespace impact

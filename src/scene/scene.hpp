@@ -166,6 +166,12 @@ struct Scene {
   /// Whether forces depend on velocities.
   /// Whether contacts pass from bond to bond.
   bool has_passing_contacts() const { return other_bodies() > 0; }
+  /// Whether the disk, neither spinning nor close to it, flies to the potential wall: then no force
+  /// acts on any point at first.
+  bool flies_without_forces() const {
+    return kind == SceneKind::kCollision && !has_passing_contacts() && !impact.gap &&
+           impact.spin == 0.0;
+  }
   bool is_damped() const {
     return material.eta != 0.0 || (other_bodies() > 0 && wall_material().eta != 0.0) ||
            (has_elastic_wall() && wall.boundary == Boundary::kViscous);

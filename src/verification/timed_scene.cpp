@@ -11,6 +11,7 @@
 
 #include "fits/statistics.hpp"
 #include "kernels/threads.hpp"
+#include "mechanics/motion.hpp"
 #include "output/interruption.hpp"
 #include "scene/scene_parameters.hpp"
 #include "series/convergence_study.hpp"
@@ -139,7 +140,7 @@ bool can_have(Scene scene, IntegratorKind integrator) {
 IntegratorKind most_exact(const Scene& scene) {
   IntegratorKind best = IntegratorKind::kVerlet;
   for (const IntegratorTraits& method : kIntegrators) {
-    if (is_automatic(method, scene.is_damped(), scene.has_passing_contacts()) &&
+    if (is_automatic(method, scene.is_damped(), scene.flies_without_forces()) &&
         method.order > order_of(best)) {
       best = method.kind;
     }
@@ -152,7 +153,8 @@ double longest_step(Scene scene, IntegratorKind integrator) {
   scene.numerics = {};
   const Rates rates = compose(scene).rates;
   return kMargin * step_limit(integrator,
-                              rates.lattice.with_contacts(rates.wall, rates.inner_share),
+                              rates.lattice.with_contacts(
+                                  rates.wall, Motion::inner_share(scene.wall.a, rates.spacing)),
                               rates.lattice.gamma);
 }
 

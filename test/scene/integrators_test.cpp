@@ -45,12 +45,12 @@ TEST(Integrators, HaveARowEach) {
 TEST(Integrators, ThatAutoMayChooseGoInLanes) {
   for (const IntegratorTraits& method : kIntegrators) {
     for (const bool damped : {false, true}) {
-      for (const bool passing : {false, true}) {
-        if (!is_automatic(method, damped, passing)) continue;
+      for (const bool flies : {false, true}) {
+        if (!is_automatic(method, damped, flies)) continue;
         EXPECT_TRUE(method.in_lanes || !traits_of(IntegratorKind::kAuto).in_lanes) << method.name;
         EXPECT_EQ(method.stepping, Stepping::kFixed) << method.name;
         EXPECT_TRUE(method.holds_with_damping || !damped) << method.name;
-        EXPECT_TRUE(method.holds_with_passing || !passing) << method.name;
+        EXPECT_TRUE(method.holds_with_passing || flies) << method.name;
       }
     }
   }
