@@ -142,7 +142,11 @@ std::vector<Spring> springs_on(const std::vector<std::int32_t>& points, double s
   springs.reserve(points.size());
   for (const std::int32_t point : points) {
     const double size = outward.row(point).matrix().norm();
-    const double across = size < kLeastOutward ? stiffness : kShareAcross * stiffness;
+    if (size < kLeastOutward) {
+      springs.push_back({point, {0.0, 0.0}, 0.0, stiffness});
+      continue;
+    }
+    const double across = kShareAcross * stiffness;
     springs.push_back(
         {point, {outward(point, 0) / size, outward(point, 1) / size}, stiffness - across, across});
   }

@@ -20,11 +20,11 @@ struct Spectrum {
   /// the outline, for contacts that are not quite normal to it; 0: not known.
   double stiffened = 0.0;
 
-  /// Bound of the square of the highest frequency where contacts hold outer points by springs of up
-  /// to `rate` over the point mass (c²/R²), and all others by `inner_share` of that. Of the outer
-  /// ones alone it is a convex function of the rate, as the largest eigenvalue of K + rate P always
-  /// is, and its slope at most 1: so it lies below the line between the two values that are known,
-  /// and from there on below the line of slope 1.
+  /// Estimate from above, for the unstrained lattice, of the square of the highest frequency where
+  /// contacts hold outer points by springs of up to `rate` over the point mass (c²/R²), and all
+  /// others by `inner_share` of that. Of the outer ones alone it is a convex function of the rate,
+  /// as the largest eigenvalue of K + rate P always is, and its slope at most 1: so it lies below
+  /// the line between the two values that are known, and from there on below the line of slope 1.
   double with_contacts(double rate, double inner_share) const;
 };
 

@@ -18,8 +18,9 @@ namespace impact {
 /// of a method of order 4 are x + h² F/12m, and so the forces of the last evaluation, which are
 /// those at such positions, err by O(h⁴) again.
 ///
-/// Its order rests on forces that change smoothly and do not depend on velocities: a damped field
-/// is refused.
+/// Its order rests on forces that change smoothly, do not depend on velocities (a damped field is
+/// refused), and act on no point at the start and the end: gravity and the pull in a spinning disk
+/// displace x from where the method of order 4 has it.
 ///
 /// The harmonic oscillator of frequency ω moves as one with ω² (1 − ω² h²/12) under velocity
 /// Verlet, stable up to ω h = √12.

@@ -122,7 +122,8 @@ void AnalysisNode::wait_for_publishers_to_go() {
 void AnalysisNode::linger() {
   const bool for_readers = !parameters_.wait_for.empty();
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(parameters_.linger);
-  while (ros::WallTime::now() < end && !(for_readers && readers_.subscribers().empty())) {
+  while (ros::ok() && ros::WallTime::now() < end &&
+         !(for_readers && readers_.subscribers().empty())) {
     serve_callbacks();
   }
 }

@@ -151,7 +151,7 @@ bool SimulationNode::run_series() {
     ++status_.run;
   }
   close_bag(!asked_to_end());
-  if (asked_to_end() || !all_is_acknowledged()) ros::WallDuration(parameters_.linger).sleep();
+  if (asked_to_end() || !all_listeners_acknowledge()) ros::WallDuration(parameters_.linger).sleep();
   return !asked_to_end();
 }
 
@@ -317,7 +317,7 @@ void SimulationNode::wait_for_readers(std::int64_t sequence) {
 }
 
 /// By everybody who listens, when the last run has ended.
-bool SimulationNode::all_is_acknowledged() const {
+bool SimulationNode::all_listeners_acknowledge() const {
   if (parameters_.acknowledged_by.empty()) return false;
   const auto readers = {&readers_, &wall_readers_, &scalar_readers_};
   return std::all_of(readers.begin(), readers.end(), [this](const Readers* group) {

@@ -53,7 +53,7 @@ class SimulationNode {
   void take_answer(const ErrorControl& control);
   void keep_pace();
   void wait_for_readers(std::int64_t sequence);
-  bool all_is_acknowledged() const;
+  bool all_listeners_acknowledge() const;
   void close_bag(bool complete);
   ros::Time stamp(const Run& run) const;
 

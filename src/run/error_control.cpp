@@ -105,7 +105,7 @@ void ErrorControl::plan_after_halving(const FinishedImpact& run) {
   Resolution next = first_resolution(scene_, rates_);
   next.lift = resolution_.lift;
   const double longest = leading_up_to(scene_, next).back().step;
-  if (longest < resolution_.step && expected_time_ / next.step <= most_steps_ &&
+  if (next.step > 0.0 && longest < resolution_.step && expected_time_ / next.step <= most_steps_ &&
       ++halvings_ <= kMostHalvings) {
     plan(next);
     return;
@@ -145,7 +145,7 @@ void ErrorControl::find_resolution(const std::shared_ptr<const Composition>& com
   if (!is_controlled()) return;
   RunsAhead ahead(scene_, composition);
   while (!accepted_ && !stop()) {
-    ahead.begin(later_resolutions());
+    ahead.begin(resolution_, later_resolutions());
     Run run = ahead.take(resolution_, stop);
     ImpactAnalysis analysis(scene_.gravity);
     show(composition->field, start_of(*composition, resolution_), analysis);
@@ -256,7 +256,9 @@ double ErrorControl::way_in(double step) const {
 /// The order that the latest runs may show.
 std::optional<int> ErrorControl::order() const {
   const double longest_way = way_in(runs_[runs_.size() - 3].resolution.step);
-  if (erratic_ || irregular_ || longest_way > kLongestResolvedWay ||
+  const bool begins_off =
+      resolution_.integrator == IntegratorKind::kTakahashiImada && !scene_.flies_without_forces();
+  if (erratic_ || irregular_ || begins_off || longest_way > kLongestResolvedWay ||
       is_adaptive(resolution_.integrator)) {
     return std::nullopt;
   }

@@ -46,6 +46,7 @@ struct FinishedImpact {
 ///   of their force could change e by numerics.error,
 /// - where the lattice folds, or the wall is cut off at wall.threshold: these scatter most, so five
 ///   runs are compared, see compared_if_all_fall(),
+/// - by `takahashi_imada`, where forces act at the start, see Scene::flies_without_forces(),
 /// - for an adaptive integrator, the tolerance of which stands for the square of a step,
 /// - for numbers that are read off the steps, see is_read_off_steps().
 ///

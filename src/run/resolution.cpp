@@ -309,7 +309,7 @@ std::optional<Resolution> better_integrator(const Scene& scene, const Resolution
     Resolution first = fixed_resolution(scene, method.kind, rates);
     first.lift = resolution.lift;
     const double cost = cost_of(scene, first);
-    if (cost > least_cost) continue;
+    if (!(cost <= least_cost)) continue;
     least_cost = cost;
     better = first;
   }

@@ -25,7 +25,6 @@ struct Resolution {
 };
 
 /// Whether they make the same run.
-
 inline bool operator==(const Resolution& a, const Resolution& b) {
   return a.integrator == b.integrator && a.step == b.step && a.tolerance == b.tolerance &&
          a.lift == b.lift;
@@ -84,12 +83,12 @@ double steps_of_all_runs(const Resolution& last);
 /// solutions counted, at the step that is likely to give the wanted error. In a collision two or
 /// three more runs come before, each with a step 1.12 to 1.3 times that of the next (1.2 times for
 /// order 6). The longest is at most 0.96 of the stability limit, the wall at its expected stiffest
-/// counted, and 0.1 R/c. For methods of order 2 and 4 it is at most 0.5/(a v), so that the runs show
-/// their order, and the error of the extrapolated e, as it is estimated, is some 10⁻⁴ (a v h)⁴ or
-/// 10⁻⁶ (a v h)⁶ of the shortest (the coefficients stand with the code). Three runs aim at a tenth
-/// of numerics.error, since above that a fourth one has to confirm them; four, of order 2, at half
-/// of it; the cheaper plan is taken. For methods of order 6 the shortest step is at most 0.6/(a v),
-/// and three runs compared give an error of 10⁻⁸ (a v h)⁶, half of numerics.error.
+/// counted, and 0.1 R/c. For methods of order 2 and 4 it is at most 0.5/(a v), so that the runs
+/// show their order, and the error of the extrapolated e, as it is estimated, is some 10⁻⁴ (a v h)⁴
+/// or 10⁻⁶ (a v h)⁶ of the shortest (the coefficients stand with the code). Three runs aim at a
+/// tenth of numerics.error, since above that a fourth one has to confirm them; four, of order 2, at
+/// half of it; the cheaper plan is taken. For methods of order 6 the shortest step is at most
+/// 0.6/(a v), and three runs compared give an error of 10⁻⁸ (a v h)⁶, half of numerics.error.
 ///
 /// Where velocities are reset at intervals, the step, given or not, is shortened to divide them.
 /// @throw InputError when a given step exceeds the stability limit of the lattice and its damping

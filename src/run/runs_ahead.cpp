@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <system_error>
 #include <utility>
 
 #include "kernels/in_parts.hpp"
@@ -13,19 +14,20 @@ RunsAhead::~RunsAhead() {
   for (const Ahead& ahead : ahead_) *ahead.given_up = true;
 }
 
-void RunsAhead::begin(const std::vector<Resolution>& next) {
+void RunsAhead::begin(const Resolution& present, const std::vector<Resolution>& later) {
   const Eigen::Index points = composition_->initial.position.rows();
   if (scene_.kind != SceneKind::kCollision || parts_of(points) >= kFewestParts) return;
-  give_up_all_but(next);
+  give_up_all_but(present, later);
   const auto others = static_cast<std::size_t>(threads_of_a_run() - 1);
-  for (auto last = next.rbegin(); last != next.rend() && ahead_.size() < others; ++last) {
+  for (auto last = later.rbegin(); last != later.rend() && ahead_.size() < others; ++last) {
     if (find(*last) == ahead_.end()) begin_one(*last);
   }
 }
 
-void RunsAhead::give_up_all_but(const std::vector<Resolution>& next) {
+void RunsAhead::give_up_all_but(const Resolution& present, const std::vector<Resolution>& later) {
   const auto is_wanted = [&](const Ahead& ahead) {
-    return std::find(next.begin(), next.end(), ahead.resolution) != next.end();
+    return ahead.resolution == present ||
+           std::find(later.begin(), later.end(), ahead.resolution) != later.end();
   };
   const auto unwanted = std::stable_partition(ahead_.begin(), ahead_.end(), is_wanted);
   std::for_each(unwanted, ahead_.end(), [](const Ahead& ahead) { *ahead.given_up = true; });
@@ -34,9 +36,12 @@ void RunsAhead::give_up_all_but(const std::vector<Resolution>& next) {
 
 void RunsAhead::begin_one(const Resolution& resolution) {
   auto given_up = std::make_shared<std::atomic<bool>>(false);
-  auto run = std::async(std::launch::async,
-                        [this, resolution, given_up] { return make(resolution, *given_up); });
-  ahead_.push_back({resolution, std::move(given_up), std::move(run)});
+  try {
+    auto run = std::async(std::launch::async,
+                          [this, resolution, given_up] { return make(resolution, *given_up); });
+    ahead_.push_back({resolution, std::move(given_up), std::move(run)});
+  } catch (const std::system_error&) {  // no thread is to be had: it is made when it is asked for
+  }
 }
 
 std::optional<Run> RunsAhead::make(const Resolution& resolution,
@@ -59,8 +64,9 @@ Run RunsAhead::take(const Resolution& resolution, const std::function<bool()>& s
     while (begun->run.wait_for(kPatience) != std::future_status::ready) {
       if (stop && stop()) *begun->given_up = true;
     }
-    run = begun->run.get();
+    std::future<std::optional<Run>> ended = std::move(begun->run);
     ahead_.erase(begun);
+    run = ended.get();
   }
   return run ? std::move(*run) : Run(scene_, composition_, resolution);
 }

@@ -24,10 +24,11 @@ class RunsAhead {
   /// Gives up what nobody has asked for.
   ~RunsAhead();
 
-  /// Begins those runs of a collision that will be asked for next, in their order: the last ones,
-  /// which are the longest, as far as there are processors for them. None where a run is large
-  /// enough to take all processors by itself, or threads_in_a_run() is 1.
-  void begin(const std::vector<Resolution>& next);
+  /// `present`: the run that will be asked for next, and `later` those after it, in their order.
+  /// Begins the last of these, which are the longest, as far as there are processors for them, and
+  /// gives up what was begun and is neither. None where a run is large enough to take all
+  /// processors by itself, or threads_in_a_run() is 1.
+  void begin(const Resolution& present, const std::vector<Resolution>& later);
 
   /// The run: at its end if it was begun ahead, for which this waits, else at its beginning. So it
   /// is too if it failed, to fail where it is looked at, and when `stop`, asked while it waits,
@@ -41,7 +42,7 @@ class RunsAhead {
     std::future<std::optional<Run>> run;  ///< nothing: failed or given up
   };
 
-  void give_up_all_but(const std::vector<Resolution>& next);
+  void give_up_all_but(const Resolution& present, const std::vector<Resolution>& later);
   void begin_one(const Resolution& resolution);
   std::optional<Run> make(const Resolution& resolution, const std::atomic<bool>& given_up) const;
   std::vector<Ahead>::iterator find(const Resolution& resolution);

@@ -163,15 +163,15 @@ struct Scene {
   }
   /// Whether the numbers of points are known without reading a file.
   bool has_recipes_only() const { return disk.file.empty() && wall.file.empty(); }
-  /// Whether forces depend on velocities.
   /// Whether contacts pass from bond to bond.
   bool has_passing_contacts() const { return other_bodies() > 0; }
-  /// Whether the disk, neither spinning nor close to it, flies to the potential wall: then no force
-  /// acts on any point at first.
+  /// Whether the disk flies to the potential wall without gravity, spin and a given gap: then no
+  /// force acts on any point at first.
   bool flies_without_forces() const {
     return kind == SceneKind::kCollision && !has_passing_contacts() && !impact.gap &&
-           impact.spin == 0.0;
+           impact.spin == 0.0 && gravity == 0.0;
   }
+  /// Whether forces depend on velocities.
   bool is_damped() const {
     return material.eta != 0.0 || (other_bodies() > 0 && wall_material().eta != 0.0) ||
            (has_elastic_wall() && wall.boundary == Boundary::kViscous);

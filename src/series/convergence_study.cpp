@@ -119,7 +119,8 @@ ConvergenceStudy::ConvergenceStudy(const Scene& scene,
     : scene_(scene),
       composition_(std::move(composition)),
       make_run_(std::move(make_run)),
-      ahead_(std::make_unique<RunsAhead>(scene, composition_)),
+      ahead_(make_run_ || history != nullptr ? nullptr
+                                             : std::make_unique<RunsAhead>(scene, composition_)),
       control_(scene, *composition_),
       strain_meter_(composition_->bodies->disk().points),
       history_(history) {
@@ -128,8 +129,8 @@ ConvergenceStudy::ConvergenceStudy(const Scene& scene,
 
 void ConvergenceStudy::start_run() {
   analysis_ = ImpactAnalysis(scene_.gravity);
-  ++runs_;
   run_.emplace(next_run());
+  ++runs_;
   show(composition_->field, start_of(*composition_, control_.resolution()), analysis_);
   if (history_ == nullptr) return;
   history_->start();
@@ -137,9 +138,11 @@ void ConvergenceStudy::start_run() {
 }
 
 Run ConvergenceStudy::next_run() {
-  if (make_run_) return make_run_(control_.resolution());
-  if (history_ == nullptr) ahead_->begin(control_.later_resolutions());
-  return ahead_->take(control_.resolution(), stop_);
+  const Resolution& resolution = control_.resolution();
+  if (make_run_) return make_run_(resolution);
+  if (!ahead_) return Run(scene_, composition_, resolution);
+  ahead_->begin(resolution, control_.later_resolutions());
+  return ahead_->take(resolution, stop_);
 }
 
 void ConvergenceStudy::advance(const std::function<bool()>& stop) {

@@ -95,9 +95,9 @@ class ConvergenceStudy {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Scene scene_;
   std::shared_ptr<const Composition> composition_;
-  MakeRun make_run_;  ///< empty: runs are made here
-  std::unique_ptr<RunsAhead> ahead_;
-  std::function<bool()> stop_{};  ///< of advance()
+  MakeRun make_run_;                  ///< empty: runs are made here
+  std::unique_ptr<RunsAhead> ahead_;  ///< nullptr: each run is made when it is asked for
+  std::function<bool()> stop_{};      ///< of advance()
   ErrorControl control_;
   std::optional<Run> run_;
   int runs_ = 0;

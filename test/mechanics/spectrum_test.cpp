@@ -102,5 +102,15 @@ TEST(Spectrum, BoundsWhatContactsAdd) {
   }
 }
 
+/// Where bonds lie so evenly about an outer point that they have no outside.
+TEST(Spectrum, IsFiniteWhereBondsCancel) {
+  PointArray points(5, 2);
+  points << 0, 0, 1, 0, -1, 0, 0, 1, 0, -1;
+  const Lattice cross = plain_lattice(points, {{0, 1}, {0, 2}, {0, 3}, {0, 4}});
+  const Spectrum spectrum = lattice_spectrum(cross, {1.0, 0.0, 0.0}, 1.0, {0, 1, 2, 3, 4});
+  EXPECT_GT(spectrum.stiffened, spectrum.omega_squared);
+  EXPECT_LT(spectrum.stiffened, 2.0 * spectrum.omega_squared);
+}
+
 }  // namespace
 }  // namespace impact

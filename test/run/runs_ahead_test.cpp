@@ -38,10 +38,14 @@ TEST(RunsAhead, AreThoseThatOneMakesAlone) {
   std::vector<Resolution> all = control.later_resolutions();
   ASSERT_GE(all.size(), 2U);
   RunsAhead ahead(scene, composition);
-  ahead.begin(all);
   all.insert(all.begin(), control.resolution());
-  for (const Resolution& resolution : all) {
+  for (auto present = all.begin(); present != all.end(); ++present) {
+    const Resolution& resolution = *present;
+    ahead.begin(resolution, {present + 1, all.end()});
     impact::Run run = ahead.take(resolution, {});
+    if (present + 1 == all.end()) {
+      EXPECT_EQ(run.finished(), threads_of_a_run() > 1);
+    }
     go_to_the_end(run);
     const impact::Run alone = made_alone(scene, composition, resolution);
     EXPECT_EQ(run.state().step, alone.state().step);
@@ -57,12 +61,13 @@ TEST(RunsAhead, TakeTheProcessorsThatTheyMay) {
   const auto composition = compose_shared(scene);
   const auto later = ErrorControl(scene, *composition).later_resolutions();
   RunsAhead ahead(scene, composition);
-  ahead.begin(later);
+  const Resolution present = later.front();
+  ahead.begin(present, later);
   EXPECT_EQ(ahead.take(later.back(), {}).finished(), threads_of_a_run() > 1);
   std::thread([&] {
     threads_in_a_run() = 1;
     RunsAhead none(scene, composition);
-    none.begin(later);
+    none.begin(present, later);
     EXPECT_EQ(none.take(later.back(), {}).state().step, 0U);
   }).join();
 }
@@ -77,10 +82,10 @@ TEST(RunsAhead, AreGivenUpWhenTheyAreNotWantedAnyMore) {
   const auto composition = compose_shared(scene);
   const auto later = ErrorControl(scene, *composition).later_resolutions();
   RunsAhead ahead(scene, composition);
-  ahead.begin(later);
+  ahead.begin(later.front(), later);
   EXPECT_EQ(ahead.take(later.back(), [] { return true; }).state().step, 0U);
-  ahead.begin(later);
-  ahead.begin({later.front()});
+  ahead.begin(later.front(), later);
+  ahead.begin(later.front(), {});
   EXPECT_EQ(ahead.take(later.back(), {}).state().step, 0U);
 }
 
@@ -95,7 +100,7 @@ TEST(RunsAhead, BeginAnewWhereTheyHaveFailed) {
   broken.step = 10.0;
   EXPECT_THROW(made_alone(scene, unstable, broken), RunFailure);
   RunsAhead ahead(scene, unstable);
-  ahead.begin({broken});
+  ahead.begin(broken, {broken});
   impact::Run run = ahead.take(broken, {});
   EXPECT_EQ(run.state().step, 0U);
   EXPECT_THROW(go_to_the_end(run), RunFailure);
