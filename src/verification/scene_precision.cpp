@@ -107,9 +107,11 @@ Reference rest_reference(Scene scene) {
                    fmt::format("newton; bdf tolerance {:g}", kTolerance));
 }
 
-/// Shortly before a run ends: the disk has left the wall.
-double common_end(const Scene& scene) {
-  constexpr double kMargin = 0.3;  // R/c, a few of the longest steps
+/// Shortly before any run ends: the disk has left the wall. In short steps, since a run looks
+/// every few of them whether it is over, and must not end before this.
+double common_end(Scene scene) {
+  constexpr double kMargin = 0.3;  // R/c
+  scene.numerics.step = kGrid / 5.0;
   Run run(scene);
   while (!run.finished()) run.advance();
   return kGrid * std::floor((run.state().time - kMargin) / kGrid);
