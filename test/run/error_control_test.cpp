@@ -122,6 +122,21 @@ TEST(ErrorControl, ExtrapolatesWhereTheOrderIsSeen) {
               std::abs(of_finest - answer.value.restitution) + answer.error.restitution, 1e-15);
 }
 
+/// Where forces act at the start, Takahashi–Imada is named in vain: its order is not there.
+TEST(ErrorControl, LooksForNoOrderOfTakahashiImadaUnderForces) {
+  const auto is_extrapolated = [](const std::function<void(Scene&)>& change) {
+    const auto error = [](double h) { return std::pow(h, 4); };
+    Scene scene = scene_with(1e-5, IntegratorKind::kTakahashiImada);
+    change(scene);
+    const Play play(scene, {error});
+    return play.control.answer().value.restitution != kTrue * (1.0 + error(play.steps.back()));
+  };
+  EXPECT_TRUE(is_extrapolated([](Scene& /*scene*/) {}));
+  EXPECT_FALSE(is_extrapolated([](Scene& scene) { scene.gravity = 0.01; }));
+  EXPECT_FALSE(is_extrapolated([](Scene& scene) { scene.impact.spin = 0.1; }));
+  EXPECT_FALSE(is_extrapolated([](Scene& scene) { scene.impact.gap = 0.01; }));
+}
+
 /// The part of h⁴ in a limit that three runs at these steps, from coarse to fine, are in doubt of.
 double doubt_of_limit(const std::vector<double>& steps) {
   std::vector<Sample> runs;
