@@ -83,6 +83,7 @@ struct Serializer<impact::RawMessage<Message>> {
     std::memcpy(stream.advance(size), message.wire.message_start, size);
   }
 
+  // NOLINTNEXTLINE(readability-identifier-naming): roscpp calls it
   static std::uint32_t serializedLength(const impact::RawMessage<Message>& message) {
     return message.size();
   }

@@ -15,8 +15,8 @@ namespace impact {
 /// a message between.
 struct StatesOfBody {
   std_msgs::Header header;
-  std::uint32_t run;
-  std::uint32_t sequence;
+  std::uint32_t run = 0;
+  std::uint32_t sequence = 0;
   const State& state;  ///< of all bodies
   const Body& body;
 };
@@ -43,6 +43,7 @@ struct Serializer<impact::StatesOfBody> {
     }
   }
 
+  // NOLINTNEXTLINE(readability-identifier-naming): roscpp calls it
   static std::uint32_t serializedLength(const impact::StatesOfBody& states) {
     const auto points = static_cast<std::size_t>(states.body.points);
     const std::size_t array = sizeof(std::uint32_t) + points * sizeof(double);

@@ -34,7 +34,7 @@ constexpr std::size_t kRunsThatShowAnOrder = 4;
 constexpr double kUnconfirmed = 0.1;
 constexpr int kMostFailures = 4;
 /// Of steps, after which plans are given up.
-constexpr int kMostHalvings = 3;
+constexpr int kMostPlansAfterHalving = 3;
 
 /// What vanishes with the error of a run.
 double step_of(const Resolution& resolution) {
@@ -106,7 +106,7 @@ void ErrorControl::plan_after_halving(const FinishedImpact& run) {
   next.lift = resolution_.lift;
   const double longest = leading_up_to(scene_, next).back().step;
   if (next.step > 0.0 && longest < resolution_.step && expected_time_ / next.step <= most_steps_ &&
-      ++halvings_ <= kMostHalvings) {
+      ++halvings_ <= kMostPlansAfterHalving) {
     plan(next);
     return;
   }

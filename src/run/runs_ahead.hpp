@@ -17,8 +17,8 @@ namespace impact {
 /// results are the same to the last bit, only the answer is there sooner.
 class RunsAhead {
  public:
-  RunsAhead(const Scene& scene, std::shared_ptr<const Composition> composition)
-      : scene_(scene), composition_(std::move(composition)) {}
+  RunsAhead(Scene scene, std::shared_ptr<const Composition> composition)
+      : scene_(std::move(scene)), composition_(std::move(composition)) {}
   RunsAhead(const RunsAhead&) = delete;
   RunsAhead& operator=(const RunsAhead&) = delete;
   /// Gives up what nobody has asked for.

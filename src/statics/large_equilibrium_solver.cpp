@@ -4,7 +4,7 @@ namespace impact {
 namespace {
 
 /// About where the next iteration costs more than new factors at N = 10⁵.
-constexpr int kMostIterations = 8;
+constexpr int kMostOfGradients = 8;
 /// Of the error of u, in the norm of energy. Newton's method then gains three digits a step at
 /// least.
 constexpr double kReduction = 1e-3;
@@ -68,7 +68,7 @@ std::optional<LargeEquilibriumSolver::Vector> LargeEquilibriumSolver::by_conjuga
   Vector step = preconditioned(search, residual);
   double size = residual.dot(step);
   const double wanted = kReduction * kReduction * size;
-  for (int k = 0; k < kMostIterations; ++k) {
+  for (int k = 0; k < kMostOfGradients; ++k) {
     const Vector force = stiffness * step;
     const double curvature = step.dot(force);
     if (!(size > 0.0 && curvature > 0.0)) return std::nullopt;

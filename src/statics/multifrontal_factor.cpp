@@ -139,8 +139,7 @@ Eigen::MatrixXd MultifrontalFactor::eliminate(const Front& front, const double* 
 }
 
 void MultifrontalFactor::add_update(const Front& child, const Eigen::MatrixXd& update,
-                                    const Front& front, Dense& columns,
-                                    Eigen::MatrixXd& rest) const {
+                                    const Front& front, Dense& columns, Eigen::MatrixXd& rest) {
   const Eigen::Index own = columns.cols();
   std::vector<std::int32_t> to;
   to.reserve(2 * child.below.size());

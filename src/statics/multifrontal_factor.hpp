@@ -52,8 +52,8 @@ class MultifrontalFactor {
   void find_elements(const Matrix& triangle, const std::vector<std::int32_t>& front_of);
   Eigen::MatrixXd eliminate(const Front& front, const double* values, double shift,
                             std::vector<Eigen::MatrixXd>& updates);
-  void add_update(const Front& child, const Eigen::MatrixXd& update, const Front& front,
-                  Dense& columns, Eigen::MatrixXd& rest) const;
+  static void add_update(const Front& child, const Eigen::MatrixXd& update, const Front& front,
+                         Dense& columns, Eigen::MatrixXd& rest);
   static std::int32_t place_in(const Front& front, std::int32_t place);
   Columns columns_of(const Front& front) const;
   void forward(Eigen::VectorXd& b) const;
