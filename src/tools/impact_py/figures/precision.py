@@ -12,6 +12,7 @@ from ..tables import read_table
 # Integrator, colour, marker, filled.
 INTEGRATORS = (
     ("verlet", BLUE, "o", True),
+    ("takahashi_imada", BLACK, "p", True),
     ("blanes_moan", VERMILION, "s", True),
     ("implicit_damping", SKY, "^", True),
     ("extrapolated_damping", ORANGE, "D", True),
@@ -186,13 +187,23 @@ def work_precision_figure(folder, name, symbol):
     save_both(figure, folder, f"work_precision_{name}")
 
 
+def apart(places, values):
+    """Labels of the values, but for those that would overlap the one before."""
+    labels, last = [], 0.0
+    for place, value in zip(places, values):
+        near = place < 1.4 * last
+        labels.append("" if near else f"{value:g}")
+        last = last if near else place
+    return labels
+
+
 def points_axis(ax, curve):
     """The numbers of points above, where the answers of one lattice lie."""
     ax.tick_params(axis="x", which="both", top=False)
     top = ax.secondary_xaxis("top")
     top.xaxis.set_major_locator(FixedLocator(curve["time"]))
     top.xaxis.set_minor_locator(NullLocator())
-    top.xaxis.set_major_formatter(FixedFormatter([f"{points:g}" for points in curve["points"]]))
+    top.xaxis.set_major_formatter(FixedFormatter(apart(curve["time"], curve["points"])))
     top.set_xlabel("$N$")
 
 
