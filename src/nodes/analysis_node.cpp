@@ -38,7 +38,7 @@ bool AnalysisNode::run() {
   while (!asked_to_end() && !(parameters_.exit_when_done && analysis_.done())) {
     serve_callbacks();
     if (analysis_.waits_for_missing() && source_.silence() > parameters_.patience) {
-      analysis_.close();
+      analysis_.close_ended();
     }
     if (parameters_.exit_when_done && nothing_more_comes()) break;
   }

@@ -226,15 +226,24 @@ void SeriesAnalysis::report_closed(const Run& run, std::uint32_t number, bool co
 }
 
 void SeriesAnalysis::close() {
-  while (!runs_.empty()) {
-    const std::uint32_t number = runs_.begin()->first;
-    Run& run = runs_.begin()->second;
-    run.gap = true;
-    outputs_.problem(fmt::format("run {}: incomplete after {} states{}", number, run.next_sequence,
-                                 has_ended(run.status) ? fmt::format(" of {}", run.status->states)
-                                                       : ", its end was not announced"));
-    close(number);
+  while (!runs_.empty()) give_up(runs_.begin()->first);
+}
+
+void SeriesAnalysis::close_ended() {
+  std::vector<std::uint32_t> ended;
+  for (const auto& [number, run] : runs_) {
+    if (has_ended(run.status)) ended.push_back(number);
   }
+  for (const std::uint32_t number : ended) give_up(number);
+}
+
+void SeriesAnalysis::give_up(std::uint32_t number) {
+  Run& run = open_run(number);
+  run.gap = true;
+  outputs_.problem(fmt::format("run {}: incomplete after {} states{}", number, run.next_sequence,
+                               has_ended(run.status) ? fmt::format(" of {}", run.status->states)
+                                                     : ", its end was not announced"));
+  close(number);
 }
 
 bool SeriesAnalysis::waits_for_missing() const {

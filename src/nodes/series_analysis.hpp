@@ -59,6 +59,10 @@ class SeriesAnalysis {
   /// No more messages will come: closes every run that is open, as incomplete.
   void close();
 
+  /// The messages that are missing will not come: closes those runs that have announced their end.
+  /// Others go on.
+  void close_ended();
+
   /// True while a run has announced its end but messages of it are missing.
   bool waits_for_missing() const;
 
@@ -92,6 +96,7 @@ class SeriesAnalysis {
   void damage(Run& run, std::uint32_t number, const std::string& what) const;
   void report_gap(Run& run, std::uint32_t number, std::uint32_t found) const;
   void close(std::uint32_t number);
+  void give_up(std::uint32_t number);
   void publish_strain(Run& run, lattice_impact::Strain strain) const;
   void publish_restitution(const Run& run, bool ended, bool complete) const;
   static lattice_impact::Restitution answer_of(const Run& run, bool complete);

@@ -261,6 +261,26 @@ TEST(SeriesAnalysis, ReportsAGap) {
   EXPECT_EQ(listener.problems[0], "run 0: messages are missing: expected sequence 4, got 5");
 }
 
+/// A run that misses messages is given up without the next one, which goes on.
+TEST(SeriesAnalysis, ClosesOnlyWhatHasEnded) {
+  std::vector<Message> first = messages_of(small_scene(SceneKind::kCollision), 0);
+  first.erase(first.end() - 2);
+  std::vector<Message> second = messages_of(small_scene(SceneKind::kCollision), 1);
+  const auto middle = second.begin() + static_cast<std::ptrdiff_t>(second.size() / 2);
+  Listener listener;
+  listener.hear(first);
+  listener.hear({second.begin(), middle});
+  listener.analysis.close_ended();
+  EXPECT_FALSE(listener.analysis.waits_for_missing());
+  ASSERT_EQ(listener.problems.size(), 1U);
+  EXPECT_EQ(listener.problems[0].substr(0, 18), "run 0: incomplete ");
+  listener.hear({middle, second.end()});
+  EXPECT_EQ(listener.problems.size(), 1U);
+  EXPECT_TRUE(listener.results.back().ended);
+  EXPECT_TRUE(listener.results.back().complete);
+  EXPECT_EQ(listener.results.back().run, 1U);
+}
+
 /// The last state is lost: the run stays open until it is closed from outside.
 TEST(SeriesAnalysis, WaitsForMissingMessages) {
   std::vector<Message> messages = messages_of(small_scene(SceneKind::kCollision), 0);
