@@ -147,6 +147,7 @@ struct Kernels {
   BondKernel linear_damped;
   BondKernel cubic;
   BondKernel cubic_damped;
+  BondKernel damping;  ///< without elastic forces; positions are not read
   /// Over all entries of the lists of the slices first … end − 1.
   Elongations (*elongations)(const BondRows& rows, const double* position_pairs, std::int64_t first,
                              std::int64_t end);
@@ -160,6 +161,8 @@ struct Kernels {
   /// The same and, with the new v, x += time · v.
   void (*kick_and_drift)(double factor, const double* f, double time, double* v, double* x,
                          std::int64_t size);
+  /// Turns `size` vectors (x, y) counter-clockwise by an angle.
+  void (*turn)(double cosine, double sine, double* x, double* y, std::int64_t size);
   /// Σ a b.
   double (*dot)(const double* a, const double* b, std::int64_t size);
   /// The least of `size` numbers where that is below 0, else 0.
@@ -170,6 +173,8 @@ struct Kernels {
   /// Both substitutions. `pairs` are x and y of each row and of one more, 0; they become the
   /// solution. `scratch` has 2 kQuad places a quad of the largest panel.
   void (*substitute)(const Panels& panels, double* pairs, double* scratch);
+  /// The same of one number a row; `scratch` has kQuad places a quad.
+  void (*substitute_one)(const Panels& panels, double* numbers, double* scratch);
   LaneKernels lanes;
 };
 

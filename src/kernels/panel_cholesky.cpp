@@ -59,8 +59,8 @@ std::vector<std::int32_t> find_supernodes(const SparseMatrix& lower) {
 
 }  // namespace
 
-PanelCholesky::PanelCholesky(const SparseMatrix& matrix, const Kernels& kernels)
-    : kernels_(&kernels) {
+PanelCholesky::PanelCholesky(const SparseMatrix& matrix, const Kernels& kernels, Sides sides)
+    : kernels_(&kernels), sides_(sides) {
   const Eigen::SimplicialLLT<SparseMatrix> factorisation(matrix);
   const SparseMatrix& lower = factorisation.matrixL().nestedExpression();
   const auto& order = factorisation.permutationP().indices();
@@ -71,8 +71,9 @@ PanelCholesky::PanelCholesky(const SparseMatrix& matrix, const Kernels& kernels)
     add_panel(lower, first[k], first[k + 1] - first[k]);
     most_quads = std::max(most_quads, supernodes_.back().quads);
   }
-  pairs_.resize(2 * (place_.size() + 1));
-  scratch_.resize(2 * static_cast<std::size_t>(kQuad * most_quads));
+  const auto numbers = static_cast<std::size_t>(width());
+  numbers_.resize(numbers * (place_.size() + 1));
+  scratch_.resize(numbers * static_cast<std::size_t>(kQuad * most_quads));
 }
 
 void PanelCholesky::add_panel(const SparseMatrix& lower, std::int32_t first, std::int32_t width) {
@@ -134,19 +135,16 @@ void PanelCholesky::solve(LaneArray& b) {
 }
 
 void PanelCholesky::solve(PointArray& b) {
-  const Eigen::Index size = b.rows();
-  for (Eigen::Index i = 0; i < size; ++i) {
-    double* const row = pairs_.data() + std::ptrdiff_t{2} * place_[static_cast<std::size_t>(i)];
-    row[0] = b(i, 0);
-    row[1] = b(i, 1);
+  const Eigen::Index points = b.rows();
+  double* const rows = numbers_.data();
+  for (int axis = 0; axis < 2; ++axis) {
+    for (Eigen::Index i = 0; i < points; ++i) rows[place(i, axis, points)] = b(i, axis);
   }
-  pairs_[pairs_.size() - 2] = pairs_.back() = 0.0;
-  kernels_->substitute(panels(), pairs_.data(), scratch_.data());
-  for (Eigen::Index i = 0; i < size; ++i) {
-    const double* const row =
-        pairs_.data() + std::ptrdiff_t{2} * place_[static_cast<std::size_t>(i)];
-    b(i, 0) = row[0];
-    b(i, 1) = row[1];
+  std::fill(numbers_.end() - width(), numbers_.end(), 0.0);
+  (sides_ == Sides::kTwo ? kernels_->substitute : kernels_->substitute_one)(panels(), rows,
+                                                                            scratch_.data());
+  for (int axis = 0; axis < 2; ++axis) {
+    for (Eigen::Index i = 0; i < points; ++i) b(i, axis) = rows[place(i, axis, points)];
   }
 }
 

@@ -83,8 +83,24 @@ void BondForces::pair_up(const PointArray& points, Aligned<double>& pairs) const
   });
 }
 
-double BondForces::evaluate(bool damped, const PointArray& position, PointArray& force) {
-  pair_up(position, position_pairs_);
+/// Where an argument is nullptr, its forces are not evaluated.
+BondKernel BondForces::kernel(const PointArray* position, const PointArray* velocity) const {
+  if (position == nullptr) return kernels_->damping;
+  const bool cubic = law_.k_b != 0.0;
+  if (velocity != nullptr) return cubic ? kernels_->cubic_damped : kernels_->linear_damped;
+  return cubic ? kernels_->cubic : kernels_->linear;
+}
+
+/// What the last slice writes behind the first body's rows is overwritten by the second's.
+double BondForces::evaluate_first(const PointArray* position, const PointArray* velocity,
+                                  PointArray& force) {
+  if (!first_is_damped()) velocity = nullptr;
+  if (position == nullptr && velocity == nullptr) {
+    force.topRows(table_->points).setZero();
+    return 0.0;
+  }
+  if (position != nullptr) pair_up(*position, position_pairs_);
+  if (velocity != nullptr) pair_up(*velocity, velocity_pairs_);
   const BondEvaluation evaluation{
       {table_->begin.data(), table_->end.data(), table_->natural_length.data()},
       law_.k_a,
@@ -94,52 +110,34 @@ double BondForces::evaluate(bool damped, const PointArray& position, PointArray&
       position_pairs_.data(),
       velocity_pairs_.data(),
       force.data()};
-  const bool cubic = law_.k_b != 0.0;
-  const BondKernel kernel = damped ? (cubic ? kernels_->cubic_damped : kernels_->linear_damped)
-                                   : (cubic ? kernels_->cubic : kernels_->linear);
   static_assert(kPart % kSlice == 0);
   in_parts(table_->points, [&](Eigen::Index part, Eigen::Index first, Eigen::Index size) {
     part_sums_[static_cast<std::size_t>(part)] =
-        kernel(evaluation, first / kSlice, whole_slices(first + size));
+        kernel(position, velocity)(evaluation, first / kSlice, whole_slices(first + size));
   });
-  return std::accumulate(part_sums_.begin(), part_sums_.end(), 0.0);
+  return 0.5 * law_.eta * std::accumulate(part_sums_.begin(), part_sums_.end(), 0.0);
 }
 
-/// Without a velocity there is no damping. What the last slice writes behind the first body's rows
-/// is overwritten by the second's.
-double BondForces::evaluate_first(const PointArray& position, const PointArray* velocity,
-                                  PointArray& force) {
-  const bool with_damping = velocity != nullptr && first_is_damped();
-  if (with_damping) pair_up(*velocity, velocity_pairs_);
-  return 0.5 * law_.eta * evaluate(with_damping, position, force);
-}
-
-double BondForces::evaluate_second(const PointArray& position, const PointArray* velocity,
+double BondForces::evaluate_second(const PointArray* position, const PointArray* velocity,
                                    PointArray& force) {
   BondForces& second = second_.front();
   const Eigen::Index rows = second.points();
-  of_second_.position = position.bottomRows(rows);
+  const auto take = [&](const PointArray* all, PointArray& own) -> const PointArray* {
+    if (all == nullptr) return nullptr;
+    own = all->bottomRows(rows);
+    return &own;
+  };
   of_second_.force.resize(rows, 2);
-  double power = 0.0;
-  if (velocity != nullptr) {
-    of_second_.velocity = velocity->bottomRows(rows);
-    power = second.evaluate(of_second_.position, of_second_.velocity, of_second_.force);
-  } else {
-    second.evaluate_elastic(of_second_.position, of_second_.force);
-  }
+  const double power = second.evaluate_first(take(position, of_second_.position),
+                                             take(velocity, of_second_.velocity), of_second_.force);
   force.bottomRows(rows) = of_second_.force;
   return power;
 }
 
-double BondForces::evaluate(const PointArray& position, const PointArray& velocity,
-                            PointArray& force) {
-  const double power = evaluate_first(position, &velocity, force);
-  return has_two_laws() ? power + evaluate_second(position, &velocity, force) : power;
-}
-
-void BondForces::evaluate_elastic(const PointArray& position, PointArray& force) {
-  evaluate_first(position, nullptr, force);
-  if (has_two_laws()) evaluate_second(position, nullptr, force);
+double BondForces::evaluate_all(const PointArray* position, const PointArray* velocity,
+                                PointArray& force) {
+  const double power = evaluate_first(position, velocity, force);
+  return has_two_laws() ? power + evaluate_second(position, velocity, force) : power;
 }
 
 template <class Use>

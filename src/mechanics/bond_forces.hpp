@@ -39,10 +39,19 @@ class BondForces {
 
   /// Overwrites `force` (M c²/R) with the force on each point. Returns the power that the damping
   /// dissipates, η Σ |v_i − v_j|² (M c³/R). Velocities are not read when the law has no damping.
-  double evaluate(const PointArray& position, const PointArray& velocity, PointArray& force);
+  double evaluate(const PointArray& position, const PointArray& velocity, PointArray& force) {
+    return evaluate_all(&position, &velocity, force);
+  }
 
   /// The same without damping.
-  void evaluate_elastic(const PointArray& position, PointArray& force);
+  void evaluate_elastic(const PointArray& position, PointArray& force) {
+    evaluate_all(&position, nullptr, force);
+  }
+
+  /// The forces of the damping alone, overwritten, and the power that it dissipates.
+  double evaluate_damping(const PointArray& velocity, PointArray& force) {
+    return evaluate_all(nullptr, &velocity, force);
+  }
 
   /// The entries of the Laplacian matrix of the damping, η on the diagonal for each bond of a point
   /// and −η between its ends (M c/R), those of one place to be added up.
@@ -102,9 +111,10 @@ class BondForces {
   void for_each_bond(const Use& use) const;
   Elongations elongations_at(const PointArray& position, Eigen::Index first,
                              Eigen::Index end) const;
-  double evaluate(bool damped, const PointArray& position, PointArray& force);
-  double evaluate_first(const PointArray& position, const PointArray* velocity, PointArray& force);
-  double evaluate_second(const PointArray& position, const PointArray* velocity, PointArray& force);
+  double evaluate_all(const PointArray* position, const PointArray* velocity, PointArray& force);
+  double evaluate_first(const PointArray* position, const PointArray* velocity, PointArray& force);
+  double evaluate_second(const PointArray* position, const PointArray* velocity, PointArray& force);
+  BondKernel kernel(const PointArray* position, const PointArray* velocity) const;
   bool first_is_damped() const { return law_.eta != 0.0; }
   void pair_up(const PointArray& points, Aligned<double>& pairs) const;
 

@@ -10,13 +10,26 @@ Losses ForceField::evaluate(const PointArray& position, const PointArray& veloci
   Losses power;
   power.dissipated = bonds.evaluate(position, velocity, force);
   for_each_term([&](auto& term) { term.add_forces(position, force); });
+  add_damping_of_terms(velocity, force, power);
+  for_each_term([&](auto& term) { term.constrain(force); });
+  return power;
+}
+
+Losses ForceField::evaluate_damping(const PointArray& velocity, PointArray& force) {
+  Losses power;
+  power.dissipated = bonds.evaluate_damping(velocity, force);
+  add_damping_of_terms(velocity, force, power);
+  for_each_term([&](auto& term) { term.constrain(force); });
+  return power;
+}
+
+void ForceField::add_damping_of_terms(const PointArray& velocity, PointArray& force,
+                                      Losses& power) const {
   for_each_term([&](const auto& term) {
     const impact::Losses taken = term.add_damping_forces(velocity, force);
     power.dissipated += taken.dissipated;
     power.absorbed += taken.absorbed;
   });
-  for_each_term([&](auto& term) { term.constrain(force); });
-  return power;
 }
 
 void ForceField::evaluate_undamped(const PointArray& position, PointArray& force) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -27,7 +28,7 @@
 
 namespace impact {
 
-class DampingSolver;
+class VelocitySolver;
 
 /// All that acts on the points of one scene: its bonds and, only if the scene has them, a wall, a
 /// load, constraints and a boundary. All arrays have one row a point, body by body.
@@ -38,11 +39,13 @@ struct ForceField {
   using Points = PointArray;
   using State = impact::State;
   using Losses = impact::Losses;
-  using DampingSolver = impact::DampingSolver;
+  using VelocitySolver = impact::VelocitySolver;
 
   BondForces bonds;
   double point_mass = 1.0;     ///< M
   std::vector<Body> others{};  ///< what the first body meets, after it in all arrays
+  /// Of all points, where no bond is strained; only for methods that take bonds implicitly.
+  std::shared_ptr<const PointArray> unstrained{};
   std::optional<PotentialWall> wall{};
   std::optional<SurfaceContact> elastic_wall{};
   std::optional<DiskContacts> disk_contacts{};
@@ -79,6 +82,9 @@ struct ForceField {
 
   /// The same without damping: the force on points at rest.
   void evaluate_undamped(const PointArray& position, PointArray& force);
+
+  /// The damping forces alone, −D v, overwritten. Returns the powers lost.
+  Losses evaluate_damping(const PointArray& velocity, PointArray& force);
 
   /// The entries of the matrix D of the damping forces −D v along one axis (0: x, 1: y), in M c/R:
   /// those of the bonds and of a viscous boundary, those of one place to be added up. Rows and
@@ -146,6 +152,7 @@ struct ForceField {
   std::vector<std::string> terms() const;
 
  private:
+  void add_damping_of_terms(const PointArray& velocity, PointArray& force, Losses& power) const;
   void enter_free(const Body& body, const impact::State& state, EnergyLedger& ledger) const;
 
   template <class Field, class Use>

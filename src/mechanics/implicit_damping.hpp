@@ -1,8 +1,8 @@
 #pragma once
 
-#include "mechanics/damping_solver.hpp"
 #include "mechanics/integrator.hpp"
-#include "mechanics/lane_damping_solver.hpp"
+#include "mechanics/lane_velocity_solver.hpp"
+#include "mechanics/velocity_solver.hpp"
 
 namespace impact {
 
@@ -37,7 +37,7 @@ class BasicImplicitDamping : public FixedStepIntegrator<Field> {
   using FixedStepIntegrator<Field>::force_;  ///< without damping
   typename Field::Points middle_velocity_;
   typename Field::Points damping_;  ///< h D v½/2m
-  typename Field::DampingSolver solver_;
+  typename Field::VelocitySolver solver_;
 };
 
 using ImplicitDamping = BasicImplicitDamping<ForceField>;

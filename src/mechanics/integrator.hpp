@@ -2,6 +2,7 @@
 
 #include "mechanics/force_field.hpp"
 #include "mechanics/lane_field.hpp"
+#include "mechanics/spectrum.hpp"
 #include "mechanics/state.hpp"
 
 namespace impact {
@@ -14,6 +15,16 @@ class StepBound {
   /// Largest stable step (R/c) for modes up to frequency² `omega_squared` (c²/R²) and damping rate
   /// up to `gamma` (c/R); infinite where stability sets none.
   virtual double step_limit(double omega_squared, double gamma) const = 0;
+
+  /// Whether contacts alone limit the step, since it solves for what the bonds do.
+  virtual bool solves_for_bonds() const { return false; }
+
+  /// The same for a lattice whose contacts are this stiff, see Spectrum::with_contacts().
+  double step_limit_with(const Spectrum& lattice, double contact_rate, double inner_share) const {
+    return step_limit(
+        solves_for_bonds() ? contact_rate : lattice.with_contacts(contact_rate, inner_share),
+        lattice.gamma);
+  }
 };
 
 /// A method that moves the points of a field forward in time: of one run (ForceField), or of kLanes

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "kernels/in_parts.hpp"
 #include "kernels/kernels.hpp"
@@ -46,6 +47,12 @@ inline void kick_and_drift(const LaneNumbers& factor, const LaneArray& force, co
                            LaneArray& velocity, LaneArray& position) {
   kernels().lanes.kick_and_drift(factor.data(), force.data(), h.data(), velocity.data(),
                                  position.data(), position.coordinates());
+}
+
+/// Turns vectors counter-clockwise.
+inline void turn(double angle, PointArray& vectors) {
+  kernels().turn(std::cos(angle), std::sin(angle), vectors.col(0).data(), vectors.col(1).data(),
+                 vectors.rows());
 }
 
 /// Σ a b.

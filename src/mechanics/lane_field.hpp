@@ -12,7 +12,7 @@
 
 namespace impact {
 
-class LaneDampingSolver;
+class LaneVelocitySolver;
 
 /// The forces of kLanes runs of one lattice, as ForceField has them for one, at a potential wall
 /// or, without damping, against points. Every run has constants of its own. A bond is evaluated
@@ -25,7 +25,7 @@ class LaneField {
   using Points = LaneArray;
   using State = LaneState;
   using Losses = LaneLosses;
-  using DampingSolver = LaneDampingSolver;
+  using VelocitySolver = LaneVelocitySolver;
 
   /// What all runs have in common, besides the lattice.
   struct Kind {

@@ -26,8 +26,7 @@ void Motion::limit_step(const Contact& wall, double approach, const StepBound& b
     return margin * wall.stiffness(wall.largest_force() * std::exp(wall.a() * approach * step));
   };
   stiffest_contact_ = std::max(stiffest_contact_, rate(std::ldexp(step_size_, halvings_)));
-  while (step_size_ > bound.step_limit(spectrum_.with_contacts(rate(step_size_), inner_share_),
-                                       spectrum_.gamma)) {
+  while (step_size_ > bound.step_limit_with(spectrum_, rate(step_size_), inner_share_)) {
     step_size_ /= 2.0;
     ticks_ *= 2;
     ++halvings_;

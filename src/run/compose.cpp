@@ -181,6 +181,9 @@ Composition compose_on_wall(const Scene& scene, std::shared_ptr<const Bodies> bo
   State initial = initial_state(scene, *bodies, wall);
   const double row_gap = gap_in_row(scene, *bodies, wall);
   ForceField field{bonds_of(scene, *bodies, mass), mass};
+  if (!scene.has_passing_contacts()) {
+    field.unstrained = std::shared_ptr<const PointArray>(bodies, &bodies->disk().points);
+  }
   add_terms(scene, *bodies, wall, initial.position, field);
   const double sound_speed = estimated_sound_speed(scene.material.k_a);
   if (scene.is_static()) {
@@ -194,13 +197,14 @@ Composition compose_on_wall(const Scene& scene, std::shared_ptr<const Bodies> bo
 
   const double gap = initial.position.col(1).head(points).minCoeff();
   const bool is_slow = may_be_reduced(scene, points) && !has_flag(bodies->flags, Flag::kFloppy);
-  const Rates rates_of_scene = rates(scene, spectrum, wall, static_cast<int>(points), sound_speed);
+  Rates rates_of_scene = rates(scene, spectrum, wall, static_cast<int>(points), sound_speed);
+  rates_of_scene.time = expected_time(scene, points, gap, row_gap);
   return {std::move(bodies),
           std::move(field),
           std::move(initial),
           rates_of_scene,
           is_slow ? reduced_resolution(scene) : first_resolution(scene, rates_of_scene),
-          expected_time(scene, points, gap, row_gap)};
+          rates_of_scene.time};
 }
 
 }  // namespace

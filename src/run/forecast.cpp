@@ -57,6 +57,7 @@ Spectrum typical_spectrum(const Scene& scene, double points) {
 struct Work {
   double steps;  ///< of all runs
   double cost_of_step;
+  double cost_of_factors = 0.0;  ///< of all runs, in the same steps
 };
 
 /// The rate at which the wall's force changes: the disk swings on it, or meets it at its speed and
@@ -91,7 +92,8 @@ Work work_of(const Scene& scene, const Rates& rates, Eigen::Index points, double
   if (is_adaptive(integrator)) {
     cost += kCostOfRadian * resolution.step * rate_of_wall_force(scene);
   }
-  return {all_runs(scene, resolution) * time / resolution.step, cost};
+  return {all_runs(scene, resolution) * time / resolution.step, cost,
+          (resolution.leading_runs + 1) * cost_of_factor(scene, resolution.integrator)};
 }
 
 Eigen::Index points_of(const Scene& scene) {
@@ -140,8 +142,8 @@ Forecast forecast(const Scene& scene, Eigen::Index points, Eigen::Index other_po
   if (scene.is_static()) return of_static_solution(scene, points);
   const auto number = static_cast<double>(points);
   const PotentialWall wall = repulsion(scene, points);
-  const Rates expected = rates(scene, typical_spectrum(scene, number), wall,
-                               static_cast<int>(points), estimated_sound_speed(scene.material.k_a));
+  Rates expected = rates(scene, typical_spectrum(scene, number), wall, static_cast<int>(points),
+                         estimated_sound_speed(scene.material.k_a));
   const double gap = wall.gap_of_energy(negligible_wall_energy(scene));
   double time = expected_time(scene, points, gap_at_start(scene, gap), gap);
   if (scene.kind == SceneKind::kCollision) {
@@ -149,9 +151,10 @@ Forecast forecast(const Scene& scene, Eigen::Index points, Eigen::Index other_po
   } else {
     time *= kPartOfRelaxation;
   }
+  expected.time = time;
   const Work work = work_of(scene, expected, points, time);
   const double of_step = kStep + kStepOfPoint * static_cast<double>(points + other_points);
-  return {work.steps, work.steps * work.cost_of_step * of_step};
+  return {work.steps, (work.steps * work.cost_of_step + work.cost_of_factors) * of_step};
 }
 
 std::string text(const Forecast& forecast) {

@@ -12,6 +12,7 @@ enum class IntegratorKind {
   kBlanesMoan,
   kImplicitDamping,
   kExtrapolatedDamping,
+  kImex,     ///< bonds implicit as well
   kBdf,      ///< SUNDIALS CVODE, for stiff damping
   kRk8pd,    ///< GSL, the independent reference
   kReduced,  ///< rigid motion and static compliance, for slow impacts
@@ -28,8 +29,9 @@ enum class Stepping {
 };
 
 /// For which forces `auto` may choose a method: kFlight, those without damping on a potential wall,
-/// and none at the start; in a slow impact before all others, see may_be_reduced().
-enum class AutoChoice { kNever, kFlight, kUndamped, kDamped, kAlways, kSlow };
+/// and none at the start; kDampedFlight, the same with damping; in a slow impact before all others,
+/// see may_be_reduced().
+enum class AutoChoice { kNever, kFlight, kDampedFlight, kUndamped, kDamped, kAlways, kSlow };
 
 /// What the package knows of a method, besides how to make it (make_integrator()).
 struct IntegratorTraits {
@@ -38,6 +40,7 @@ struct IntegratorTraits {
   Stepping stepping;
   int order;                ///< of a method whose step is given; else 0
   bool stiff;               ///< solves for velocities, so that damping does not limit its steps
+  bool implicit_bonds;      ///< solves for them, so that contacts alone limit its steps
   bool holds_with_damping;  ///< where forces depend on velocities
   bool holds_with_passing;  ///< where contacts pass from bond to bond
   bool in_lanes;            ///< lanes take it; of `auto`: all that it may choose but slow impacts
@@ -47,34 +50,37 @@ struct IntegratorTraits {
   /// own, or of a report if it is stiff, see forecast().
   double cost;
   double damped_cost;  ///< the same with damping
+  double factor_cost;  ///< of what a run solves with, once, in the same steps
 };
 
 /// A row for each method, in the order of IntegratorKind, which is that of lists for users.
 // clang-format off
-inline constexpr std::array<IntegratorTraits, 10> kIntegrators{{
+inline constexpr std::array<IntegratorTraits, 11> kIntegrators{{
     // kind, name, stepping, order,
-    //     stiff, holds with damping, with passing contacts, in lanes, auto may choose it, cost,
-    //     damped cost
+    //     stiff, implicit bonds, holds with damping, with passing contacts, in lanes,
+    //     auto may choose it, cost, damped cost, factor cost
     {IntegratorKind::kAuto, "auto", Stepping::kOpen, 0,
-         false, true, true, true, AutoChoice::kNever, 0.0, 0.0},
+         false, false, true, true, true, AutoChoice::kNever, 0.0, 0.0, 0.0},
     {IntegratorKind::kVerlet, "verlet", Stepping::kFixed, 2,
-         false, true, true, true, AutoChoice::kAlways, 1.0, 1.5},
+         false, false, true, true, true, AutoChoice::kAlways, 1.0, 1.5, 0.0},
     {IntegratorKind::kTakahashiImada, "takahashi_imada", Stepping::kFixed, 4,
-         false, false, false, true, AutoChoice::kFlight, 1.9, 1.9},
+         false, false, false, false, true, AutoChoice::kFlight, 1.9, 1.9, 0.0},
     {IntegratorKind::kBlanesMoan, "blanes_moan", Stepping::kFixed, 6,
-         false, false, true, true, AutoChoice::kUndamped, 10.5, 10.5},
+         false, false, false, true, true, AutoChoice::kUndamped, 10.5, 10.5, 0.0},
     {IntegratorKind::kImplicitDamping, "implicit_damping", Stepping::kFixed, 2,
-         true, true, true, true, AutoChoice::kDamped, 4.3, 4.3},
+         true, false, true, true, true, AutoChoice::kDamped, 4.3, 4.3, 260.0},
     {IntegratorKind::kExtrapolatedDamping, "extrapolated_damping", Stepping::kFixed, 6,
-         true, true, true, true, AutoChoice::kDamped, 34.0, 34.0},
+         true, false, true, true, true, AutoChoice::kDamped, 34.0, 34.0, 780.0},
+    {IntegratorKind::kImex, "imex", Stepping::kFixed, 2,
+         true, true, true, false, false, AutoChoice::kDampedFlight, 6.0, 6.3, 760.0},
     {IntegratorKind::kBdf, "bdf", Stepping::kAdaptive, 0,
-         true, true, true, false, AutoChoice::kNever, 2.0, 2.0},
+         true, false, true, true, false, AutoChoice::kNever, 2.0, 2.0, 0.0},
     {IntegratorKind::kRk8pd, "rk8pd", Stepping::kAdaptive, 0,
-         false, true, true, false, AutoChoice::kNever, 14.0, 14.0},
+         false, false, true, true, false, AutoChoice::kNever, 14.0, 14.0, 0.0},
     {IntegratorKind::kReduced, "reduced", Stepping::kReduced, 2,
-         false, false, false, false, AutoChoice::kSlow, 0.5, 0.5},
+         false, false, false, false, false, AutoChoice::kSlow, 0.5, 0.5, 0.0},
     {IntegratorKind::kNewton, "newton", Stepping::kStatic, 0,
-         false, true, true, true, AutoChoice::kNever, 0.0, 0.0},
+         false, false, true, true, true, AutoChoice::kNever, 0.0, 0.0, 0.0},
 }};
 // clang-format on
 
@@ -92,6 +98,9 @@ constexpr bool solves_for_damping(IntegratorKind kind) {
   return traits_of(kind).stepping == Stepping::kFixed && traits_of(kind).stiff;
 }
 
+/// Whether it solves for what the bonds do, too.
+constexpr bool solves_for_bonds(IntegratorKind kind) { return traits_of(kind).implicit_bonds; }
+
 /// Order of a method whose step is given.
 constexpr int order_of(IntegratorKind kind) { return traits_of(kind).order; }
 
@@ -101,7 +110,7 @@ constexpr int order_of(IntegratorKind kind) { return traits_of(kind).order; }
 constexpr bool is_automatic(const IntegratorTraits& method, bool damped, bool flies) {
   return method.choice == AutoChoice::kAlways ||
          method.choice == (damped ? AutoChoice::kDamped : AutoChoice::kUndamped) ||
-         (method.choice == AutoChoice::kFlight && flies && !damped);
+         (flies && method.choice == (damped ? AutoChoice::kDampedFlight : AutoChoice::kFlight));
 }
 
 }  // namespace impact

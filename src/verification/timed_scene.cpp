@@ -152,10 +152,8 @@ double longest_step(Scene scene, IntegratorKind integrator) {
   constexpr double kMargin = 0.96;
   scene.numerics = {};
   const Rates rates = compose(scene).rates;
-  return kMargin * step_limit(integrator,
-                              rates.lattice.with_contacts(
-                                  rates.wall, Motion::inner_share(scene.wall.a, rates.spacing)),
-                              rates.lattice.gamma);
+  return kMargin * step_limit(integrator, rates.lattice, rates.wall,
+                              Motion::inner_share(scene.wall.a, rates.spacing));
 }
 
 }  // namespace impact

@@ -142,6 +142,11 @@ TEST_P(EveryKernel, GivesTheForcesAndThePower) {
     EXPECT_LT((force - expected.force).abs().maxCoeff(), rounding);
     EXPECT_NEAR(power, expected.power, 1e-13 * expected.power);
 
+    EXPECT_EQ(bonds.evaluate_damping(velocity, force), power);
+    const BondLaw damping{0.0, 0.0, law.eta};
+    EXPECT_LT((force - reference(lattice, damping, position, velocity).force).abs().maxCoeff(),
+              rounding);
+
     const BondLaw undamped{law.k_a, law.k_b, 0.0};
     bonds.evaluate_elastic(position, force);
     EXPECT_LT((force - reference(lattice, undamped, position, velocity).force).abs().maxCoeff(),
@@ -311,6 +316,10 @@ TEST(BondForces, OfTwoBodiesAreThoseOfEach) {
   EXPECT_DOUBLE_EQ(both.potential_energy(position), of_disk.potential_energy(disk_position) +
                                                         of_other.potential_energy(other_position));
 
+  EXPECT_EQ(both.evaluate_damping(velocity, force), power);
+  of_other.evaluate_damping(velocity.bottomRows(9), other_force);
+  EXPECT_TRUE((force.topRows(16) == 0.0).all());
+  EXPECT_TRUE((force.bottomRows(9) == other_force).all());
   both.evaluate_elastic(position, force);
   of_other.evaluate_elastic(other_position, other_force);
   EXPECT_TRUE((force.bottomRows(9) == other_force).all());

@@ -49,6 +49,27 @@ TEST(ForceField, SumsItsTerms) {
   }
 }
 
+/// What is left of all forces without the elastic ones, constraints included.
+TEST(ForceField, DampingIsWhatDependsOnVelocities) {
+  ForceField field{BondForces(triangle(), {1.0, 0.5, 0.3}), 1.0 / 3.0};
+  field.wall.emplace(10.0, 0.1);
+  field.viscous_boundary.emplace(std::vector<ViscousBoundary::Dashpot>{{2, {0.2, 0.7}}});
+  field.supports.emplace(std::vector<std::int32_t>{0}, std::vector<std::int32_t>{});
+  const PointArray position = 1.1 * triangle().points;
+  PointArray velocity(3, 2);
+  velocity << 0.1, -0.3, 0.2, 0.4, -0.5, 0.6;
+  PointArray all(3, 2);
+  PointArray undamped(3, 2);
+  PointArray damping = PointArray::Constant(3, 2, 7.0);
+  const Losses expected = field.evaluate(position, velocity, all);
+  field.evaluate_undamped(position, undamped);
+  const Losses found = field.evaluate_damping(velocity, damping);
+  EXPECT_EQ(found.dissipated, expected.dissipated);
+  EXPECT_EQ(found.absorbed, expected.absorbed);
+  EXPECT_GT(found.absorbed, 0.0);
+  EXPECT_LT((damping - (all - undamped)).abs().maxCoeff(), 1e-15);  // of sums of order 1
+}
+
 TEST(ForceField, PotentialEnergyIsThatOfItsTerms) {
   ForceField field{BondForces(triangle(), {1.0, 0.0, 0.0}), 1.0 / 3.0};
   const PointArray position = 1.1 * triangle().points;

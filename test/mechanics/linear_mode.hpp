@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <memory>
 
 #include "mechanics/force_field.hpp"
 #include "mechanics/state.hpp"
@@ -18,6 +19,7 @@ double spectral_radius(double omega_squared, double gamma) {
   constexpr double kSize = 1.0 / 16.0;  // the bond keeps its direction
   ForceField field{
       BondForces(two_points(), {omega_squared * kMass / 2.0, 0.0, gamma * kMass / 2.0}), kMass};
+  field.unstrained = std::make_shared<const PointArray>(two_points().points);
   Eigen::Matrix2d step;
   for (int column = 0; column < 2; ++column) {
     State state{0.0, 0, two_points().points, PointArray::Zero(2, 2)};

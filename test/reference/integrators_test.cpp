@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
 #include "mechanics/blanes_moan.hpp"
 #include "mechanics/extrapolated_damping.hpp"
+#include "mechanics/imex.hpp"
 #include "mechanics/implicit_damping.hpp"
 #include "mechanics/spectrum.hpp"
 #include "mechanics/takahashi_imada.hpp"
@@ -41,7 +43,9 @@ struct Patch {
   explicit Patch(double eta)
       : lattice(triangular_patch(3)),
         field{BondForces(lattice, law(eta)), 1.0},
-        state{0.0, 0, lattice.points, PointArray::Zero(9, 2)} {}
+        state{0.0, 0, lattice.points, PointArray::Zero(9, 2)} {
+    field.unstrained = std::make_shared<const PointArray>(lattice.points);
+  }
 
   void add_velocity(double x, double y) {
     state.velocity.col(0) += x;
@@ -72,13 +76,14 @@ struct EachOf {
   using Types = testing::Types<I...>;
 };
 using All = EachOf<VelocityVerlet, TakahashiImada, BlanesMoan, ImplicitDamping, ExtrapolatedDamping,
-                   Bdf, Rk8pd>::Types;
+                   Imex, Bdf, Rk8pd>::Types;
 using TakingDamping =
-    EachOf<VelocityVerlet, ImplicitDamping, ExtrapolatedDamping, Bdf, Rk8pd>::Types;
+    EachOf<VelocityVerlet, ImplicitDamping, ExtrapolatedDamping, Imex, Bdf, Rk8pd>::Types;
 using OfFixedOrder = EachOf<VelocityVerlet, TakahashiImada, BlanesMoan, ImplicitDamping,
-                            ExtrapolatedDamping, Rk8pd>::Types;
+                            ExtrapolatedDamping, Imex, Rk8pd>::Types;
 using RefusingDamping = EachOf<TakahashiImada, BlanesMoan>::Types;
-using OfFixedStep = EachOf<VelocityVerlet, BlanesMoan, ImplicitDamping, ExtrapolatedDamping>::Types;
+using OfFixedStep =
+    EachOf<VelocityVerlet, BlanesMoan, ImplicitDamping, ExtrapolatedDamping, Imex>::Types;
 using Adaptive = EachOf<Bdf, Rk8pd>::Types;
 using KeepingEnergy = EachOf<VelocityVerlet, TakahashiImada, BlanesMoan>::Types;
 

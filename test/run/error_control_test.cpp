@@ -422,7 +422,7 @@ TEST(ErrorControl, SeesThatTheStepOfARunWasReduced) {
   ErrorControl control(scene, *composition);
   Resolution too_long = control.resolution();
   too_long.step =
-      1.5 * step_limit(IntegratorKind::kVerlet, composition->rates.lattice.omega_squared, 0.0);
+      1.5 * step_limit(IntegratorKind::kVerlet, {composition->rates.lattice.omega_squared, 0.0});
   impact::Run run(scene, composition, too_long);
   run.advance();
   ASSERT_EQ(run.system().halvings(), 1);
@@ -448,8 +448,8 @@ TEST(ErrorControl, PlansByTheStiffnessThatWasMet) {
     run.stiffest_contact = times * lattice.omega_squared;
     run.step = 0.5 * control.resolution().step;
     ASSERT_FALSE(control.accepts(run));
-    const double limit = step_limit(IntegratorKind::kVerlet,
-                                    lattice.with_contacts(run.stiffest_contact, inner_share), 0.0);
+    const double limit =
+        step_limit(IntegratorKind::kVerlet, lattice, run.stiffest_contact, inner_share);
     EXPECT_LE(control.resolution().step, 0.96 * limit);
     EXPECT_GE(control.resolution().step, 0.9 * limit);
   }

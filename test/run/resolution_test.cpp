@@ -9,11 +9,14 @@
 #include "expect_input_error.hpp"
 #include "mechanics/blanes_moan.hpp"
 #include "mechanics/extrapolated_damping.hpp"
+#include "mechanics/imex.hpp"
 #include "mechanics/implicit_damping.hpp"
 #include "mechanics/potential_wall.hpp"
 #include "mechanics/takahashi_imada.hpp"
 #include "mechanics/velocity_verlet.hpp"
 #include "reduced/reduced_motion.hpp"
+#include "run/expected_time.hpp"
+#include "theory/hertz.hpp"
 
 namespace impact {
 namespace {
@@ -50,6 +53,8 @@ int order_by_class(IntegratorKind integrator) {
       return ImplicitDamping::kOrder;
     case IntegratorKind::kExtrapolatedDamping:
       return ExtrapolatedDamping::kOrder;
+    case IntegratorKind::kImex:
+      return Imex::kOrder;
     case IntegratorKind::kReduced:
       return ReducedMotion::kOrder;
     case IntegratorKind::kAuto:
@@ -74,18 +79,32 @@ TEST(Integrators, HaveTheOrderOfTheirClass) {
 TEST(Integrators, AreStiffIfDampingDoesNotLimitTheirStep) {
   for (const IntegratorTraits& method : kIntegrators) {
     if (method.stepping != Stepping::kFixed || !method.holds_with_damping) continue;
-    const double undamped = step_limit(method.kind, 1.0, 0.0);
-    EXPECT_EQ(method.stiff, step_limit(method.kind, 1.0, 1e6) > 0.5 * undamped) << method.name;
+    const double undamped = step_limit(method.kind, {1.0, 0.0});
+    EXPECT_EQ(method.stiff, step_limit(method.kind, {1.0, 1e6}) >= 0.5 * undamped) << method.name;
   }
 }
 
-/// Those that are made, and no others, are of fixed step; lanes have all of them.
+/// The lattice limits steps unless they solve for it, the contacts always.
+TEST(Integrators, AreLimitedByWhatTheyDoNotSolveFor) {
+  for (const IntegratorTraits& method : kIntegrators) {
+    if (method.stepping != Stepping::kFixed) continue;
+    const double of_lattice = step_limit(method.kind, {1e4, 0.0}, 1.0);
+    EXPECT_EQ(of_lattice > 0.9 * step_limit(method.kind, {1e-4, 0.0}, 1.0), method.implicit_bonds)
+        << method.name;
+    EXPECT_LT(step_limit(method.kind, {1.0, 0.0}, 1e4), 0.2 * of_lattice + 1.0) << method.name;
+  }
+}
+
+/// Those that are made, and no others, are of fixed step; lanes have those that say so.
 TEST(Integrators, OfFixedStepAreMade) {
   for (const IntegratorTraits& method : kIntegrators) {
     if (method.stepping == Stepping::kFixed) {
       EXPECT_NE(make_fixed<ForceField>(method.kind), nullptr) << method.name;
-      EXPECT_NE(make_fixed<LaneField>(method.kind), nullptr) << method.name;
-      EXPECT_TRUE(method.in_lanes) << method.name;
+      if (method.in_lanes) {
+        EXPECT_NE(make_fixed<LaneField>(method.kind), nullptr) << method.name;
+      } else {
+        EXPECT_THROW(make_fixed<LaneField>(method.kind), std::logic_error) << method.name;
+      }
     } else {
       EXPECT_THROW(make_fixed<ForceField>(method.kind), std::logic_error) << method.name;
     }
@@ -105,7 +124,7 @@ TEST(FirstResolution, StaysBelowTheLimitOfLatticeDampingAndWall) {
         scene.numerics.error = 1e-2;
         const double wall = kWall.stiffness(largest_point_force(scene, kPoints, kSoundSpeed));
         const double limit =
-            step_limit(integrator, spectrum.omega_squared + wall * kPoints, spectrum.gamma);
+            step_limit(integrator, {spectrum.omega_squared + wall * kPoints, spectrum.gamma, 0.0});
         EXPECT_LE(step(scene, spectrum), 0.96 * limit);
         if (velocity < 0.1) {
           const double scale = solves_for_damping(integrator) ? kRefinement : 1.0;
@@ -156,6 +175,42 @@ TEST(FirstResolution, AutoGoesToImplicitDampingWhereItIsStiff) {
   EXPECT_EQ(integrator(1.0), IntegratorKind::kVerlet);
   EXPECT_EQ(integrator(100.0), IntegratorKind::kImplicitDamping);
   EXPECT_EQ(integrator(1e6), IntegratorKind::kImplicitDamping);
+}
+
+/// Slow and damped: the factors are earned back, and steps grow as the wall's time does.
+TEST(FirstResolution, AutoGoesToImexWhereADampedImpactIsSlow) {
+  const auto resolution = [](double velocity, double eta) {
+    const Scene scene = scene_with(IntegratorKind::kAuto, velocity, eta);
+    Rates rates_of_scene = rates(scene, {8100.0, 12.4 * eta}, kWall, kPoints, kSoundSpeed);
+    rates_of_scene.time = 0.1 / velocity;
+    return first_resolution(scene, rates_of_scene);
+  };
+  for (const double eta : {0.1, 10.0, 1e3}) {
+    EXPECT_EQ(resolution(1e-4, eta).integrator, IntegratorKind::kImex) << eta;
+    EXPECT_NE(resolution(0.1, eta).integrator, IntegratorKind::kImex) << eta;
+  }
+  EXPECT_NE(resolution(1e-4, 0.0).integrator, IntegratorKind::kImex);
+  EXPECT_NEAR(resolution(1e-6, 1.0).step / resolution(1e-5, 1.0).step, 10.0, 0.1);
+}
+
+/// A disk that is as hard as it gets, and one that is so slow that the wall alone yields: Hertz's
+/// pressure and that of a rigid disk, over the spacing, twice.
+TEST(LargestPointForce, HasThePressuresOfHertzAndOfARigidDisk) {
+  Scene scene = scene_with(IntegratorKind::kAuto, 1e-7, 0.0);
+  const double v = 1e-7;
+  const double spacing = std::sqrt(M_PI / 1e6);
+  const double a = scene.wall.a;
+  const double of_wall = 0.5 * a * v * v;
+  EXPECT_NEAR(largest_point_force(scene, 1000000, kSoundSpeed),
+              2.0 * spacing * of_wall * std::sqrt(a / (2.0 * M_PI)), 1e-3 * of_wall * spacing);
+  scene.impact.velocity = 0.1;
+  scene.wall.a = 1e6;
+  const double total = M_PI * 0.1 / contact_time_at_most(kSoundSpeed, 0.1);
+  const double hertz = contact_pressure({kSoundSpeed * kSoundSpeed / M_PI, 0.0}, total, 0.0);
+  constexpr int kMany = 2000000000;  // of which none is stopped by itself
+  EXPECT_NEAR(
+      largest_point_force(scene, kMany, kSoundSpeed) / (2.0 * hertz * std::sqrt(M_PI / kMany)), 1.0,
+      1e-3);
 }
 
 TEST(FirstResolution, OfAnAdaptiveIntegratorHasItsTolerance) {
@@ -214,7 +269,8 @@ TEST(LeadingUpTo, BeginsWithAStepThatIsShortEnough) {
           steps += last.step / runs[k].step;
         }
         EXPECT_NEAR(steps_of_all_runs(last), steps, 1e-13);
-        EXPECT_LE(runs.back().step, 0.96 * step_limit(IntegratorKind::kVerlet, omega_squared, 0.0));
+        EXPECT_LE(runs.back().step,
+                  0.96 * step_limit(IntegratorKind::kVerlet, {omega_squared, 0.0}));
         EXPECT_LE(300.0 * velocity * runs.back().step, 0.5 + 1e-12);
       }
     }

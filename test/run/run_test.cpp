@@ -209,7 +209,7 @@ TEST(Collision, OfAReducedStepIsFlagged) {
   scene.numerics.integrator = IntegratorKind::kVerlet;
   const auto composition = compose_shared(scene);
   const double limit =
-      step_limit(IntegratorKind::kVerlet, composition->rates.lattice.omega_squared, 0.0);
+      step_limit(IntegratorKind::kVerlet, {composition->rates.lattice.omega_squared, 0.0});
   for (const double share : {0.5, 1.01}) {
     impact::Run run(scene, composition, {IntegratorKind::kVerlet, share * limit});
     finish(run);

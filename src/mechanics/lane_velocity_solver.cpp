@@ -1,8 +1,8 @@
-#include "mechanics/lane_damping_solver.hpp"
+#include "mechanics/lane_velocity_solver.hpp"
 
 namespace impact {
 
-void LaneDampingSolver::prepare(const LaneField& field, const LaneNumbers& scale) {
+void LaneVelocitySolver::prepare(const LaneField& field, const LaneNumbers& scale) {
   const double common = scale.maxCoeff();
   if (common == scale_) return;
   scale_ = common;

@@ -3,13 +3,13 @@
 #include <optional>
 
 #include "kernels/panel_cholesky.hpp"
-#include "mechanics/damping_solver.hpp"
 #include "mechanics/lane_field.hpp"
+#include "mechanics/velocity_solver.hpp"
 
 namespace impact {
 
-/// As DampingSolver, for runs in lanes that have the same damping and the same step.
-class LaneDampingSolver {
+/// As VelocitySolver, for runs in lanes that have the same damping and the same step.
+class LaneVelocitySolver {
  public:
   /// Empty lanes have the scale 0.
   void prepare(const LaneField& field, const LaneNumbers& scale);
