@@ -186,7 +186,7 @@ Resolution fixed_resolution(const Scene& scene, IntegratorKind integrator, const
 Resolution automatic_resolution(const Scene& scene, const Rates& rates) {
   std::vector<Resolution> choice;
   for (const auto& method : kIntegrators) {
-    if (!is_automatic(method, scene.is_damped(), scene.flies_without_forces())) continue;
+    if (!is_automatic(method, scene.circumstances())) continue;
     choice.push_back(fixed_resolution(scene, method.kind, rates));
   }
   return *std::min_element(choice.begin(), choice.end(), [&](const auto& a, const auto& b) {
@@ -343,7 +343,7 @@ std::optional<Resolution> better_integrator(const Scene& scene, const Resolution
   std::optional<Resolution> better;
   double least_cost = cost_of_step(scene, resolution.integrator) / step;
   for (const IntegratorTraits& method : kIntegrators) {
-    if (!is_automatic(method, scene.is_damped(), scene.flies_without_forces())) continue;
+    if (!is_automatic(method, scene.circumstances())) continue;
     if (method.order <= order_of(resolution.integrator)) continue;
     Resolution first = fixed_resolution(scene, method.kind, rates);
     first.lift = resolution.lift;

@@ -29,9 +29,9 @@ enum class Stepping {
 };
 
 /// For which forces `auto` may choose a method: kFlight, those without damping on a potential wall,
-/// and none at the start; kDampedFlight, the same with damping; in a slow impact before all others,
-/// see may_be_reduced().
-enum class AutoChoice { kNever, kFlight, kDampedFlight, kUndamped, kDamped, kAlways, kSlow };
+/// and none at the start; kDampedWall, those with damping on a potential wall; in a slow impact
+/// before all others, see may_be_reduced().
+enum class AutoChoice { kNever, kFlight, kUndamped, kDamped, kDampedWall, kAlways, kSlow };
 
 /// What the package knows of a method, besides how to make it (make_integrator()).
 struct IntegratorTraits {
@@ -72,7 +72,7 @@ inline constexpr std::array<IntegratorTraits, 11> kIntegrators{{
     {IntegratorKind::kExtrapolatedDamping, "extrapolated_damping", Stepping::kFixed, 6,
          true, false, true, true, true, AutoChoice::kDamped, 34.0, 34.0, 780.0},
     {IntegratorKind::kImex, "imex", Stepping::kFixed, 2,
-         true, true, true, false, false, AutoChoice::kDampedFlight, 6.0, 6.3, 760.0},
+         true, true, true, false, false, AutoChoice::kDampedWall, 6.0, 6.3, 760.0},
     {IntegratorKind::kBdf, "bdf", Stepping::kAdaptive, 0,
          true, false, true, true, false, AutoChoice::kNever, 2.0, 2.0, 0.0},
     {IntegratorKind::kRk8pd, "rk8pd", Stepping::kAdaptive, 0,
@@ -104,13 +104,31 @@ constexpr bool solves_for_bonds(IntegratorKind kind) { return traits_of(kind).im
 /// Order of a method whose step is given.
 constexpr int order_of(IntegratorKind kind) { return traits_of(kind).order; }
 
-/// Whether `auto` may choose the method where forces do, or do not, depend on velocities, and where
-/// the disk does, or does not, fly to a potential wall without any, see
-/// Scene::flies_without_forces().
-constexpr bool is_automatic(const IntegratorTraits& method, bool damped, bool flies) {
-  return method.choice == AutoChoice::kAlways ||
-         method.choice == (damped ? AutoChoice::kDamped : AutoChoice::kUndamped) ||
-         (flies && method.choice == (damped ? AutoChoice::kDampedFlight : AutoChoice::kFlight));
+/// What the choice of a method depends on.
+struct Circumstances {
+  bool damped;   ///< forces depend on velocities
+  bool passing;  ///< contacts pass from bond to bond
+  bool flying;   ///< no force acts at the start, see Scene::flies_without_forces()
+};
+
+/// Whether `auto` may choose the method.
+constexpr bool is_automatic(const IntegratorTraits& method, const Circumstances& scene) {
+  switch (method.choice) {
+    case AutoChoice::kAlways:
+      return true;
+    case AutoChoice::kFlight:
+      return scene.flying && !scene.damped;
+    case AutoChoice::kUndamped:
+      return !scene.damped;
+    case AutoChoice::kDamped:
+      return scene.damped;
+    case AutoChoice::kDampedWall:
+      return scene.damped && !scene.passing;
+    case AutoChoice::kNever:
+    case AutoChoice::kSlow:
+      break;
+  }
+  return false;
 }
 
 }  // namespace impact

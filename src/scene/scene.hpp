@@ -171,6 +171,9 @@ struct Scene {
     return kind == SceneKind::kCollision && !has_passing_contacts() && !impact.gap &&
            impact.spin == 0.0 && gravity == 0.0;
   }
+  Circumstances circumstances() const {
+    return {is_damped(), has_passing_contacts(), flies_without_forces()};
+  }
   /// Whether forces depend on velocities.
   bool is_damped() const {
     return material.eta != 0.0 || (other_bodies() > 0 && wall_material().eta != 0.0) ||

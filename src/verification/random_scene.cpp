@@ -96,6 +96,7 @@ Scene draw_slow_scene(Draw& draw) {
   scene.wall.v0 = draw.log_uniform_or_none(1e-3 * v0, 1e3 * v0);
   scene.numerics.error = draw.log_uniform(1e-9, 1e-2);
   scene.impact.velocity = draw.log_uniform(1e-5, 6e-3) * std::sqrt(scene.material.k_a);
+  scene.material.eta = draw.log_uniform_or(0.0, 1e-2, 1e3);
   return scene;
 }
 
@@ -158,7 +159,9 @@ RandomScene random_slow_scene(std::uint64_t seed, int number) {
     const Scene scene = draw_slow_scene(draw);
     if (!can_be_made(scene)) continue;
     const Composition composition = compose(scene);
-    const bool is_slow = composition.resolution.integrator == IntegratorKind::kReduced;
+    const IntegratorKind integrator = composition.resolution.integrator;
+    const bool is_slow =
+        integrator == IntegratorKind::kReduced || integrator == IntegratorKind::kImex;
     if (is_slow && work_of(composition) <= kMostWorkOfSlowScene) return {scene, rejected};
   }
 }

@@ -140,8 +140,7 @@ bool can_have(Scene scene, IntegratorKind integrator) {
 IntegratorKind most_exact(const Scene& scene) {
   IntegratorKind best = IntegratorKind::kVerlet;
   for (const IntegratorTraits& method : kIntegrators) {
-    if (is_automatic(method, scene.is_damped(), scene.flies_without_forces()) &&
-        method.order > order_of(best)) {
+    if (is_automatic(method, scene.circumstances()) && method.order > order_of(best)) {
       best = method.kind;
     }
   }

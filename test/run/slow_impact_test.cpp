@@ -63,7 +63,6 @@ TEST(SlowImpact, IsTriedByAutoWhereItIsSlow) {
 
 /// All numbers that a disk alone has, to the errors that are said.
 void expect_agreement(const Answer& slow, const Answer& all) {
-  ASSERT_EQ(slow.integrator, IntegratorKind::kReduced);
   for (const auto& [name, number] : impact_numbers<Restitution>()) {
     if (disk_of(name) > 0 || is_of_row(name)) continue;
     if (std::isnan(slow.value.*number) && std::isnan(all.value.*number)) continue;
@@ -79,8 +78,26 @@ TEST(SlowImpact, AgreesWithTheMotionOfAllPoints) {
     Scene scene = slow_scene();
     scene.seed = seed;
     const Answer slow = answer_of(scene);
+    ASSERT_EQ(slow.integrator, IntegratorKind::kReduced);
     scene.numerics.error = 1e-8;
     expect_agreement(slow, answer_of(with(scene, IntegratorKind::kBlanesMoan)));
+    EXPECT_LT(slow.estimated_error, 1e-5);
+  }
+}
+
+/// Damped, from little to more than critical: bonds and damping implicit, in the place of steps
+/// that follow the lattice.
+TEST(SlowImpact, AgreesWithShortStepsWhereItIsDamped) {
+  for (const double eta : {0.1, 10.0, 300.0}) {
+    Scene scene = slow_scene();
+    scene.material.eta = eta;
+    const Answer slow = answer_of(scene);
+    ASSERT_EQ(slow.integrator, IntegratorKind::kImex) << eta;
+    EXPECT_GT(slow.step, 0.1);
+    scene.numerics.error = 1e-8;
+    const Answer all = answer_of(with(scene, IntegratorKind::kImplicitDamping));
+    EXPECT_LT(all.step, 0.05);
+    expect_agreement(slow, all);
     EXPECT_LT(slow.estimated_error, 1e-5);
   }
 }
@@ -89,6 +106,7 @@ TEST(SlowImpact, OfAnObliqueThrowKnowsItsErrorsToo) {
   Scene scene = slow_scene();
   scene.impact.angle = 30.0;
   const Answer slow = answer_of(scene);
+  ASSERT_EQ(slow.integrator, IntegratorKind::kReduced);
   scene.numerics.error = 1e-8;
   const Answer all = answer_of(with(scene, IntegratorKind::kBlanesMoan));
   expect_agreement(slow, all);
