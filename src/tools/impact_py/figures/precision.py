@@ -16,6 +16,7 @@ INTEGRATORS = (
     ("blanes_moan", VERMILION, "s", True),
     ("implicit_damping", SKY, "^", True),
     ("extrapolated_damping", ORANGE, "D", True),
+    ("imex", BLACK, "*", True),
     ("bdf", GREEN, "v", True),
     ("rk8pd", PURPLE, "P", True),
     ("newton", GREY, "X", True),
