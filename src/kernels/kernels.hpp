@@ -22,7 +22,7 @@ constexpr double kLeastLengthSquared = 1e-300;
 /// a row has kSlice places, one a point.
 struct BondRows {
   const std::int32_t* begin;     ///< the rows of slice s: begin[s] … begin[s + 1] − 1
-  const std::int32_t* end;       ///< the other end of each bond: point index
+  const std::int32_t* end;       ///< the other end of each bond: where its pair begins, 2 × point
   const double* natural_length;  ///< R
 };
 

@@ -11,6 +11,9 @@ namespace impact {
 
 namespace {
 
+/// Where the pair of a point begins.
+std::int32_t pair_of(std::int32_t point) { return 2 * point; }
+
 Eigen::Index whole_slices(Eigen::Index points) { return (points + kSlice - 1) / kSlice; }
 
 }  // namespace
@@ -44,7 +47,9 @@ std::shared_ptr<const BondForces::Table> BondForces::table_of(const Lattice& lat
     const auto row_of = [&](std::size_t s) { return static_cast<std::size_t>(table->begin[s]); };
     for (std::size_t row = row_of(slice); row < row_of(slice + 1); ++row) {
       const auto places_of_row = table->end.begin() + static_cast<std::ptrdiff_t>(row * kSlice);
-      std::iota(places_of_row, places_of_row + kSlice, static_cast<std::int32_t>(slice) * kSlice);
+      for (int k = 0; k < kSlice; ++k) {
+        places_of_row[k] = pair_of(static_cast<std::int32_t>(slice) * kSlice + k);
+      }
     }
   }
   std::fill(bonds_of.begin(), bonds_of.end(), 0);
@@ -52,7 +57,7 @@ std::shared_ptr<const BondForces::Table> BondForces::table_of(const Lattice& lat
     const std::int64_t row = table->begin[static_cast<std::size_t>(point / kSlice)] +
                              bonds_of[static_cast<std::size_t>(point)]++;
     const auto place = static_cast<std::size_t>(row * kSlice + point % kSlice);
-    table->end[place] = other;
+    table->end[place] = pair_of(other);
     table->natural_length[place] = natural_length;
   };
   for (std::size_t k = 0; k < lattice.bonds.size(); ++k) {
@@ -146,7 +151,7 @@ void BondForces::for_each_end(Eigen::Index first, Eigen::Index end, const Use& u
     const auto slice = static_cast<std::size_t>(i / kSlice);
     for (std::int32_t row = table_->begin[slice]; row < table_->begin[slice + 1]; ++row) {
       const auto place = static_cast<std::size_t>(std::int64_t{row} * kSlice + i % kSlice);
-      const std::int32_t j = table_->end[place];
+      const std::int32_t j = table_->end[place] / 2;
       if (j != i) use(static_cast<std::int32_t>(i), j, table_->natural_length[place]);
     }
   }
