@@ -419,8 +419,9 @@ class SideBySide {
 
 bool may_be_in_lanes(const Scene& scene) {
   if (scene.is_static()) return true;
-  const bool has_contact = scene.wall.kind == WallKind::kPotential ||
-                           (!scene.is_damped() && !scene.has_own_wall_material());
+  const bool has_contact =
+      scene.wall.kind == WallKind::kPotential ||
+      (!scene.has_own_wall_material() && (scene.hits_disk() || !scene.is_damped()));
   return scene.kind == SceneKind::kCollision && has_contact &&
          traits_of(scene.numerics.integrator).in_lanes;
 }

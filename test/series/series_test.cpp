@@ -246,6 +246,13 @@ TEST(SideBySide, DoesSoWithTwoDisks) {
       "impact: {velocity: [0.03, 0.05], angle: [0, 40]}}"));
 }
 
+TEST(SideBySide, DoesSoWithDampedDisks) {
+  const auto integrators = expect_results_of_single_studies(
+      scenes("{scene: collision, disk: {points: 30}, material: {eta: [0.3, 300]}, wall: {type: "
+             "disk, disks: 2}, impact: {velocity: [0.02, 0.03, 0.04, 0.05]}}"));
+  EXPECT_EQ(integrators, (std::set<std::string>{"verlet", "implicit_damping"}));
+}
+
 /// On one processor or on all.
 TEST(ConvergenceStudy, GivesTheSameBitsOnSeveralProcessors) {
   const auto result = [](int threads) {
