@@ -4,6 +4,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cstddef>
+#include <stdexcept>
 
 namespace impact {
 namespace {
@@ -62,6 +63,10 @@ std::vector<std::int32_t> find_supernodes(const SparseMatrix& lower) {
 PanelCholesky::PanelCholesky(const SparseMatrix& matrix, const Kernels& kernels, Sides sides)
     : kernels_(&kernels), sides_(sides) {
   const Eigen::SimplicialLLT<SparseMatrix> factorisation(matrix);
+  if (factorisation.info() != Eigen::Success) {
+    throw std::runtime_error(
+        "a matrix is not positive definite, for rounding or a number too large");
+  }
   const SparseMatrix& lower = factorisation.matrixL().nestedExpression();
   const auto& order = factorisation.permutationP().indices();
   place_.assign(order.data(), order.data() + order.size());

@@ -31,6 +31,7 @@ enum class Sides {
 /// column, at 10⁵ 0.7.
 class PanelCholesky {
  public:
+  /// @throw std::runtime_error for a matrix that is not positive definite.
   explicit PanelCholesky(const Eigen::SparseMatrix<double>& matrix,
                          const Kernels& kernels = impact::kernels(), Sides sides = Sides::kTwo);
 

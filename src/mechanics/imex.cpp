@@ -24,9 +24,12 @@ Losses Imex::step(ForceField& field, State& state, double h) {
   kick(half_kick, force_, state.velocity);
   middle_velocity_ = state.velocity;
   solver_.prepare(field, 0.5 * h);
+  const Eigen::Array2d mean = middle_velocity_.colwise().mean();
+  middle_velocity_.rowwise() -= mean.transpose();
   turn(-angle, middle_velocity_);
   solver_.solve(middle_velocity_);
   turn(angle, middle_velocity_);
+  middle_velocity_.rowwise() += mean.transpose();
   kick(h, middle_velocity_, state.position);
 
   Losses lost;

@@ -21,8 +21,13 @@ namespace impact {
 /// Symmetric but for the angle, that of xₙ + h vₙ/2, which forwards and backwards differs by O(h³)
 /// and so changes v½ by O(h⁵): of order 2, and errors have even powers of the step up to h⁴.
 ///
-/// Stable if contacts add κ < 4/h² to the squares of frequencies and the bonds lose or gain less
-/// than their own stiffness, as they do where strains are small.
+/// Stable if contacts, and bonds that are stiffer than unstrained, add less than 4/h² to the
+/// squares of frequencies; what bonds lose does no harm. Bonds that gain a small part g of their
+/// stiffness, as strained ones do, make vibrations faster than 2/(h √g) grow, by 1 + 2 √g a step at
+/// most.
+///
+/// The mean velocity, which the matrix leaves as it is, does not go through the solution, since
+/// rounding would make relative velocities of it, (ω h)² spacings of doubles large.
 class Imex : public FixedStepIntegrator<ForceField> {
  public:
   static constexpr int kOrder = 2;

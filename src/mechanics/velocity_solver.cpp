@@ -36,6 +36,7 @@ SparseMatrix damping_matrix(const ForceField& field, int axis, double scale) {
 
 SparseMatrix damping_and_bonds_matrix(const ForceField& field, double scale) {
   if (!field.unstrained) throw std::invalid_argument("the field has no unstrained positions");
+  if (field.supports) throw std::invalid_argument("supports do not go with implicit bonds");
   const std::int32_t points = points_of(field);
   MatrixEntries entries;
   add(field.bonds.stiffness(*field.unstrained), scale * scale / field.point_mass, 0, entries);

@@ -19,7 +19,8 @@ Eigen::SparseMatrix<double> damping_matrix(const ForceField& field, int axis, do
 
 /// 1 + s D/m + s² K/m with the stiffness K of the unstrained bonds; rows and columns x of all
 /// points, then y.
-/// @throw std::invalid_argument where the field does not know its unstrained positions.
+/// @throw std::invalid_argument where the field has supports or does not know its unstrained
+/// positions.
 Eigen::SparseMatrix<double> damping_and_bonds_matrix(const ForceField& field, double scale);
 
 /// Solves (1 + s D/m) u = r, or (1 + s D/m + s² K/m) u = r, for the velocities u of all points,

@@ -8,6 +8,7 @@
 
 #include "measure/strain.hpp"
 #include "run/expected_time.hpp"
+#include "run/forecast.hpp"
 #include "run/runs_ahead.hpp"
 #include "scene/scene_parameters.hpp"
 
@@ -83,7 +84,7 @@ ErrorControl::ErrorControl(Scene scene, const Composition& composition)
       rates_(composition.rates),
       expected_time_(composition.expected_time),
       resolution_(composition.resolution),
-      most_steps_(std::max(kMostSteps, kMostRefinement * expected_time_ / resolution_.step)) {
+      points_(composition.bodies->disk().points.rows()) {
   if (is_controlled()) plan(resolution_);
 }
 
@@ -95,6 +96,8 @@ bool ErrorControl::is_controlled() const {
 void ErrorControl::plan(const Resolution& finest) {
   planned_ = leading_up_to(scene_, finest);
   runs_.clear();
+  rates_.imex = rates_.imex && finest.integrator == IntegratorKind::kImex;
+  most_steps_ = std::max({most_steps_, kMostSteps, kMostRefinement * expected_time_ / finest.step});
   go_on(kRefinement);
 }
 
@@ -211,20 +214,28 @@ bool ErrorControl::leaves_out_too_much(const FinishedImpact& run) {
         std::max(left_out, run.model_error.spin / std::abs(scene_.impact.tangential_velocity()));
   }
   if (left_out <= kMostLeftOut * scene_.numerics.error) return false;
-  if (!go_on_with_all_points()) {
+  if (!go_on_otherwise()) {
     give_up(fmt::format("what it leaves out may change the answer by {:.1e}", left_out));
   }
   return true;
 }
 
-/// Where `auto` began with less. False if it did not.
-bool ErrorControl::go_on_with_all_points() {
-  const bool is_reduced = resolution_.integrator == IntegratorKind::kReduced;
-  if (!is_reduced || scene_.numerics.integrator != IntegratorKind::kAuto) return false;
-  Resolution all = first_resolution(scene_, rates_);
-  all.lift = resolution_.lift;
-  most_steps_ = std::max(kMostSteps, kMostRefinement * expected_time_ / all.step);
-  plan(all);
+/// Where `auto` began with a method for slow impacts, by one for all. False if it did not, or if
+/// that would take too long.
+bool ErrorControl::go_on_otherwise() {
+  const bool is_slow = resolution_.integrator == IntegratorKind::kReduced ||
+                       resolution_.integrator == IntegratorKind::kImex;
+  if (!is_slow || scene_.numerics.integrator != IntegratorKind::kAuto) return false;
+  rates_.imex = false;
+  rates_.met.reset();
+  Resolution next = first_resolution(scene_, rates_);
+  Scene with_next = scene_;
+  with_next.numerics.integrator = next.integrator;
+  if (forecast(with_next, points_, 0).seconds > scene_.numerics.longest) return false;
+  next.lift = resolution_.lift;
+  failures_ = halvings_ = stagnations_ = 0;
+  last_estimate_ = std::numeric_limits<double>::infinity();
+  plan(next);
   return true;
 }
 
@@ -343,6 +354,7 @@ void ErrorControl::refine_by_estimate() {
   last_estimate_ = estimated_error_;
   const bool adaptive = is_adaptive(resolution_.integrator);
   if (stagnations_ + 1 >= static_cast<int>(std::max(runs_needed(), kRunsThatShowAnOrder))) {
+    if (go_on_otherwise()) return;
     give_up(fmt::format("finer {} do not bring the error of the restitution below {:.1e}{}",
                         adaptive ? "tolerances" : "steps", estimated_error_, likely_cause_));
   }
@@ -375,14 +387,15 @@ bool ErrorControl::accepts_contact(const Run& run) {
 
 void ErrorControl::take_failure(const RunFailure& failure) {
   if (!is_controlled()) throw failure;
-  if (go_on_with_all_points()) return;
+  if (go_on_otherwise()) return;
   if (++failures_ > kMostFailures) throw failure;
   runs_.clear();
   planned_.clear();
   refine(2.0);
 }
 
-/// To a method of higher order, if it costs less than this step (R/c) of the present one.
+/// To a method of higher order, or from one for slow impacts to others, if it costs less than this
+/// step (R/c) of the present one.
 bool ErrorControl::go_over(double step) {
   const auto better = better_integrator(scene_, resolution_, step, rates_);
   if (!better) return false;
@@ -401,7 +414,7 @@ void ErrorControl::shorten(double factor) {
     if (resolution_.tolerance < kLeastTolerance) {
       give_up(fmt::format("a tolerance below {:g} would be needed", kLeastTolerance));
     }
-  } else if (expected_time_ / resolution_.step > most_steps_) {
+  } else if (expected_time_ / resolution_.step > most_steps_ && !go_on_otherwise()) {
     give_up(fmt::format("a step of {:.2g} R/c, more than {:.2g} steps, would be needed{}",
                         resolution_.step, most_steps_, likely_cause_));
   }

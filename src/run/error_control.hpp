@@ -66,6 +66,9 @@ struct FinishedImpact {
 /// A start that turns out too near to the wall, since little speed is left after the impact, is
 /// raised.
 ///
+/// Where `auto` began with `imex` and its runs fail, need too many steps or do not agree, it goes
+/// on with the other methods.
+///
 /// A run whose step was reduced on the way does not count, but tells how stiff the wall becomes, by
 /// which the next ones are planned. If runs of a method of order 2 show that
 /// it needs more steps than expected, `auto` may go over to one of order 6.
@@ -128,7 +131,7 @@ class ErrorControl {
   bool starts_too_near(const FinishedImpact& run);
   const ModelError& model_error_of(const Run& run);
   bool leaves_out_too_much(const FinishedImpact& run);
-  bool go_on_with_all_points();
+  bool go_on_otherwise();
   void note_irregularities(const FinishedImpact& run);
   std::size_t runs_needed() const;
   double rounding(const FinishedImpact& run) const;
@@ -147,7 +150,8 @@ class ErrorControl {
   Rates rates_;
   double expected_time_;
   Resolution resolution_;
-  double most_steps_;
+  Eigen::Index points_;  ///< of the disk
+  double most_steps_ = 0.0;
   std::vector<Resolution> planned_;  ///< after the present one, the next one last
   std::vector<FinishedRun> runs_;    ///< of one method, from coarse to fine
   ModelError model_error_;           ///< of that method

@@ -81,19 +81,20 @@ Work work_of(const Scene& scene, const Rates& rates, Eigen::Index points, double
     const double fastest =
         std::sqrt(rates.lattice.omega_squared + rates.wall) + rates.lattice.gamma;
     return {all_runs(scene, Resolution()) * time * fastest / kAdaptiveStep,
-            cost_of_step(scene, integrator)};
+            cost_of_step(scene, integrator, rates.spacing)};
   }
   const Resolution resolution =
       scene.numerics.step
           ? Resolution{with_given_step(integrator), dividing_resets(scene, *scene.numerics.step)}
       : may_be_reduced(scene, points) ? reduced_resolution(scene)
                                       : first_resolution(scene, rates);
-  double cost = cost_of_step(scene, resolution.integrator);
+  double cost = cost_of_step(scene, resolution.integrator, rates.spacing);
   if (is_adaptive(integrator)) {
     cost += kCostOfRadian * resolution.step * rate_of_wall_force(scene);
   }
-  return {all_runs(scene, resolution) * time / resolution.step, cost,
-          (resolution.leading_runs + 1) * cost_of_factor(scene, resolution.integrator)};
+  return {
+      all_runs(scene, resolution) * time / resolution.step, cost,
+      (resolution.leading_runs + 1) * cost_of_factor(scene, resolution.integrator, rates.spacing)};
 }
 
 Eigen::Index points_of(const Scene& scene) {
@@ -146,12 +147,12 @@ Forecast forecast(const Scene& scene, Eigen::Index points, Eigen::Index other_po
                          estimated_sound_speed(scene.material.k_a));
   const double gap = wall.gap_of_energy(negligible_wall_energy(scene));
   double time = expected_time(scene, points, gap_at_start(scene, gap), gap);
+  expected.time = time;
   if (scene.kind == SceneKind::kCollision) {
     time += kFlight / expected.sound_speed;
   } else {
     time *= kPartOfRelaxation;
   }
-  expected.time = time;
   const Work work = work_of(scene, expected, points, time);
   const double of_step = kStep + kStepOfPoint * static_cast<double>(points + other_points);
   return {work.steps, (work.steps * work.cost_of_step + work.cost_of_factors) * of_step};

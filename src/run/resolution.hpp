@@ -39,6 +39,7 @@ struct Rates {
   std::optional<double> met{};
   double spacing = 1.0;  ///< of the points of the disk, R
   double time = 1.0;     ///< that a run is expected to take, R/c
+  bool imex = true;      ///< whether `auto` may take it: not once it began with another method
 };
 
 /// Estimate of the largest wall force on one point (M c²/R) during the run, for the choice of the
@@ -68,10 +69,11 @@ double dividing_resets(const Scene& scene, double step);
 /// The method in use where the scene gives a step: `auto` stands for velocity Verlet.
 IntegratorKind with_given_step(IntegratorKind integrator);
 
-/// IntegratorTraits::cost for the forces of the scene.
-double cost_of_step(const Scene& scene, IntegratorKind integrator);
+/// IntegratorTraits::cost for the forces of the scene on a lattice of this spacing (R): solutions
+/// for bonds grow faster than N.
+double cost_of_step(const Scene& scene, IntegratorKind integrator, double spacing);
 /// IntegratorTraits::factor_cost, once a run.
-double cost_of_factor(const Scene& scene, IntegratorKind integrator);
+double cost_of_factor(const Scene& scene, IntegratorKind integrator, double spacing);
 
 /// Tolerances go with this power of the factor by which steps would be shortened.
 constexpr int kToleranceOrder = 4;
@@ -100,14 +102,14 @@ double steps_of_all_runs(const Resolution& last);
 ///
 /// Where velocities are reset at intervals, the step, given or not, is shortened to divide them.
 /// @throw InputError when a given step exceeds the stability limit of the lattice and its damping
-/// or, with `reduced`, 0.5/(a v).
+/// or, with `reduced` and `imex`, 0.5/(a v).
 Resolution first_resolution(const Scene& scene, const Rates& rates);
 
 /// The runs of a collision that end with this one: it, and those before it, the first one last.
 std::vector<Resolution> leading_up_to(const Scene& scene, const Resolution& finest);
 
-/// The method of higher order to begin anew with, where `auto` chose one which turns out to need
-/// this step (R/c), and the other costs less.
+/// The method of higher order or, in the place of `imex`, of any order to begin anew with, where
+/// `auto` chose one which turns out to need this step (R/c), and the other costs less.
 std::optional<Resolution> better_integrator(const Scene& scene, const Resolution& resolution,
                                             double step, const Rates& rates);
 

@@ -559,6 +559,54 @@ TEST(ErrorControl, GoesOnAfterRunsThatBrokeOff) {
   EXPECT_THROW(control.take_failure(RunFailure("broke off")), RunFailure);
 }
 
+Scene slow_and_damped() {
+  Scene scene = scene_with(1e-4, IntegratorKind::kAuto);
+  scene.impact.velocity = 1e-3;
+  scene.material.eta = 1.0;
+  return scene;
+}
+
+/// Where `auto` began with implicit bonds, what fails is no fault of short steps.
+TEST(ErrorControl, GoesOnWithOtherMethodsWhereImexBreaksOff) {
+  const Scene scene = slow_and_damped();
+  ErrorControl control(scene, compose(scene));
+  ASSERT_EQ(control.resolution().integrator, IntegratorKind::kImex);
+  control.take_failure(RunFailure("broke off"));
+  EXPECT_EQ(control.resolution().integrator, IntegratorKind::kVerlet);
+  EXPECT_EQ(control.later_resolutions().size(), 2U);
+  for (int failures = 0; failures < 4; ++failures) {
+    control.take_failure(RunFailure("broke off"));
+    EXPECT_EQ(control.resolution().integrator, IntegratorKind::kVerlet);
+  }
+  EXPECT_THROW(control.take_failure(RunFailure("broke off")), RunFailure);
+}
+
+TEST(ErrorControl, StaysWithImexWhereTheOthersTakeTooLong) {
+  Scene scene = slow_and_damped();
+  scene.impact.velocity = 1e-5;
+  scene.numerics.longest = 0.05;
+  ErrorControl control(scene, compose(scene));
+  for (int failures = 0; failures < 4; ++failures) {
+    control.take_failure(RunFailure("broke off"));
+    EXPECT_EQ(control.resolution().integrator, IntegratorKind::kImex);
+  }
+  EXPECT_THROW(control.take_failure(RunFailure("broke off")), RunFailure);
+}
+
+/// Runs by imex that agree on nothing are no answer, and no reason to give up.
+TEST(ErrorControl, GoesOnWithOtherMethodsWhereImexDoesNotConverge) {
+  const Scene scene = slow_and_damped();
+  double imex = 0.0;
+  const double longest = compose(scene).resolution.step;
+  const Play play(scene, {[&](double h) {
+                    const bool is_imex = h > 0.1 * longest;
+                    return is_imex ? 1e-2 * std::sin(++imex * 2.4) : 0.0;
+                  }});
+  EXPECT_NE(play.control.resolution().integrator, IntegratorKind::kImex);
+  EXPECT_GE(imex, 3.0);
+  EXPECT_LE(play.true_error(), 1e-4);
+}
+
 TEST(ErrorControl, LeavesTheFailureOfAGivenStep) {
   Scene scene = scene_with(1e-4);
   scene.numerics.step = 0.01;

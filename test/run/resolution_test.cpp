@@ -193,6 +193,36 @@ TEST(FirstResolution, AutoGoesToImexWhereADampedImpactIsSlow) {
   EXPECT_NEAR(resolution(1e-6, 1.0).step / resolution(1e-5, 1.0).step, 10.0, 0.1);
 }
 
+/// Where bonds stiffen, where the factor is large, and where it was in vain; and where rounding
+/// kicks as hard as the impact, its steps are as short as others.
+TEST(FirstResolution, AutoLeavesImexWhereItDoesNotHold) {
+  const auto resolution = [](double velocity, double k_b, int points, bool imex) {
+    Scene scene = scene_with(IntegratorKind::kAuto, velocity, 1.0);
+    scene.material.k_b = k_b;
+    Rates rates_of_scene =
+        rates(scene, {7.4 * points, 12.4}, PotentialWall(300.0, 300.0 / points), points, 0.9);
+    rates_of_scene.time = 0.1 / velocity;
+    rates_of_scene.imex = imex;
+    return first_resolution(scene, rates_of_scene);
+  };
+  EXPECT_EQ(resolution(1e-3, 1e-3, kPoints, true).integrator, IntegratorKind::kImex);
+  EXPECT_NE(resolution(1e-3, 1e-3, kPoints, false).integrator, IntegratorKind::kImex);
+  EXPECT_NE(resolution(1e-3, 1e9, kPoints, true).integrator, IntegratorKind::kImex);
+  EXPECT_EQ(resolution(3e-3, 1e-3, kPoints, true).integrator, IntegratorKind::kImex);
+  EXPECT_NE(resolution(3e-3, 1e-3, 100000, true).integrator, IntegratorKind::kImex);
+  EXPECT_GT(resolution(1e-6, 1e-3, kPoints, true).step, 100.0);
+  EXPECT_LE(resolution(1e-8, 1e-3, kPoints, true).step, 0.1);
+}
+
+TEST(FirstResolution, TakesAStepOfImexUpToHalfTheRangeOfTheWall) {
+  Scene scene = scene_with(IntegratorKind::kImex, 0.01, 1.0);
+  scene.numerics.step = 0.16;
+  EXPECT_EQ(step(scene, {8100.0, 12.4}), 0.16);
+  scene.numerics.step = 0.17;
+  EXPECT_INPUT_ERROR(step(scene, {8100.0, 12.4}),
+                     "numerics.step: got 0.17, allowed: at most 0.1667 R/c with imex");
+}
+
 /// A disk that is as hard as it gets, and one that is so slow that the wall alone yields: Hertz's
 /// pressure and that of a rigid disk, over the spacing, twice.
 TEST(LargestPointForce, HasThePressuresOfHertzAndOfARigidDisk) {
