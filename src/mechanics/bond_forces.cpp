@@ -22,8 +22,6 @@ BondForces::BondForces(const Lattice& lattice, const BondLaw& law, const Kernels
     : law_(law),
       kernels_(&kernels),
       table_(table_of(lattice)),
-      position_pairs_(static_cast<std::size_t>(kSlice * table_->slices()) * 2, 0.0),
-      velocity_pairs_(first_is_damped() ? position_pairs_.size() : 0, 0.0),
       part_sums_(static_cast<std::size_t>(parts_of(table_->points)), 0.0) {}
 
 std::shared_ptr<const BondForces::Table> BondForces::table_of(const Lattice& lattice) {
@@ -76,11 +74,11 @@ BondForces BondForces::of_two_laws(BondForces first, BondForces second) {
 BondForces BondForces::with(const BondLaw& law) const {
   BondForces changed = *this;
   changed.law_ = law;
-  changed.velocity_pairs_.assign(changed.first_is_damped() ? position_pairs_.size() : 0, 0.0);
   return changed;
 }
 
 void BondForces::pair_up(const PointArray& points, Aligned<double>& pairs) const {
+  pairs.resize(static_cast<std::size_t>(2 * kSlice * table_->slices()), 0.0);
   const double* const x = points.data();
   const double* const y = x + points.rows();
   in_parts(table_->points, [&](Eigen::Index /*part*/, Eigen::Index first, Eigen::Index size) {
@@ -181,7 +179,7 @@ double BondForces::potential_energy(const PointArray& position, Eigen::Index fir
 /// Of all bonds of the points first … end − 1, once for each of their ends there.
 Elongations BondForces::elongations_at(const PointArray& position, Eigen::Index first,
                                        Eigen::Index end) const {
-  Aligned<double> pairs(position_pairs_.size(), 0.0);
+  Aligned<double> pairs;
   pair_up(position, pairs);
   const BondRows rows{table_->begin.data(), table_->end.data(), table_->natural_length.data()};
   const Eigen::Index first_slice = whole_slices(first);

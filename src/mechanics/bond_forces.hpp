@@ -116,13 +116,14 @@ class BondForces {
   double evaluate_second(const PointArray* position, const PointArray* velocity, PointArray& force);
   BondKernel kernel(const PointArray* position, const PointArray* velocity) const;
   bool first_is_damped() const { return law_.eta != 0.0; }
+  /// Takes memory for the pairs where there are none yet.
   void pair_up(const PointArray& points, Aligned<double>& pairs) const;
 
   BondLaw law_;
   const Kernels* kernels_;
   std::shared_ptr<const Table> table_;
-  Aligned<double> position_pairs_;
-  Aligned<double> velocity_pairs_;  ///< empty without damping
+  Aligned<double> position_pairs_;  ///< of the last evaluation, if there was one
+  Aligned<double> velocity_pairs_;  ///< the same, of a law with damping
   std::vector<double> part_sums_;   ///< what a kernel returns, of each part of the points
   std::vector<BondForces> second_;  ///< of the other bodies, by themselves; empty: of one law
   struct {

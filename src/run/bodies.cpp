@@ -152,11 +152,14 @@ std::shared_ptr<const Bodies> make_bodies(const Scene& scene) {
     const Flexibility of_body = flies ? flexibility(body.lattice) : Flexibility{};
     all.push_back({std::move(body), std::move(triangles), of_body});
   }
-  const Lattice lattice = joined_from(0, all);
+  std::optional<Lattice> several;
+  if (all.size() > 1) several = joined_from(0, all);
+  const Lattice& lattice = several ? *several : all.front().lattice;
   std::optional<Spectrum> spectrum;
   if (!scene.is_static()) spectrum = unit_spectrum(all, lattice, scene.material.eta != 0.0);
+  BondForces bonds(lattice, BondLaw{});
   return std::make_shared<const Bodies>(
-      Bodies{std::move(all), BondForces(lattice, BondLaw{}), spectrum, std::move(flags)});
+      Bodies{std::move(all), std::move(bonds), spectrum, std::move(flags)});
 }
 
 std::string key_of_bodies(const Scene& scene) {

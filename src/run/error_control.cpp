@@ -148,10 +148,10 @@ void ErrorControl::find_resolution(const std::shared_ptr<const Composition>& com
   if (!is_controlled()) return;
   RunsAhead ahead(scene_, composition);
   while (!accepted_ && !stop()) {
-    ahead.begin(resolution_, later_resolutions());
-    Run run = ahead.take(resolution_, stop);
     ImpactAnalysis analysis(scene_.gravity);
     show(composition->field, start_of(*composition, resolution_), analysis);
+    ahead.begin(resolution_, later_resolutions());
+    Run run = ahead.take(resolution_, stop);
     try {
       while (!run.finished() && !stop()) run.advance(stop);
       run.show(analysis);

@@ -101,6 +101,10 @@ DrivenSystem solved(const Scene& scene, const Composition& composition) {
 }  // namespace
 
 void show(const ForceField& field, const State& state, ImpactAnalysis& analysis) {
+  if (field.others.empty()) {
+    analysis.add(state);
+    return;
+  }
   const auto part = [&](const Body& body) {
     return State{state.time, state.step, body.rows_of(state.position),
                  body.rows_of(state.velocity)};

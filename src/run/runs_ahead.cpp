@@ -57,13 +57,19 @@ std::optional<Run> RunsAhead::make(const Resolution& resolution,
   return run;
 }
 
-Run RunsAhead::take(const Resolution& resolution, const std::function<bool()>& stop) {
+void RunsAhead::wait_for(const Resolution& resolution, const std::function<bool()>& stop) {
   constexpr std::chrono::milliseconds kPatience{20};
+  const auto begun = find(resolution);
+  if (begun == ahead_.end()) return;
+  while (begun->run.wait_for(kPatience) != std::future_status::ready) {
+    if (stop && stop()) *begun->given_up = true;
+  }
+}
+
+Run RunsAhead::take(const Resolution& resolution, const std::function<bool()>& stop) {
+  wait_for(resolution, stop);
   std::optional<Run> run;
   if (const auto begun = find(resolution); begun != ahead_.end()) {
-    while (begun->run.wait_for(kPatience) != std::future_status::ready) {
-      if (stop && stop()) *begun->given_up = true;
-    }
     std::future<std::optional<Run>> ended = std::move(begun->run);
     ahead_.erase(begun);
     run = ended.get();

@@ -30,9 +30,12 @@ class RunsAhead {
   /// processors by itself, or threads_in_a_run() is 1.
   void begin(const Resolution& present, const std::vector<Resolution>& later);
 
-  /// The run: at its end if it was begun ahead, for which this waits, else at its beginning. So it
-  /// is too if it failed, to fail where it is looked at, and when `stop`, asked while it waits,
+  /// Waits for the end of the run if it was begun ahead. Gives it up when `stop`, asked meanwhile,
   /// says true.
+  void wait_for(const Resolution& resolution, const std::function<bool()>& stop);
+
+  /// The run, after wait_for(): at its end if it was begun ahead, else at its beginning. So it is
+  /// too if it failed, to fail where it is looked at, and if it was given up.
   Run take(const Resolution& resolution, const std::function<bool()>& stop);
 
  private:

@@ -122,27 +122,35 @@ ConvergenceStudy::ConvergenceStudy(const Scene& scene,
       ahead_(make_run_ || history != nullptr ? nullptr
                                              : std::make_unique<RunsAhead>(scene, composition_)),
       control_(scene, *composition_),
-      strain_meter_(composition_->bodies->disk().points),
       history_(history) {
   start_run();
 }
 
 void ConvergenceStudy::start_run() {
+  make_way();
   analysis_ = ImpactAnalysis(scene_.gravity);
+  show(composition_->field, start_of(*composition_, control_.resolution()), analysis_);
   run_.emplace(next_run());
   ++runs_;
-  show(composition_->field, start_of(*composition_, control_.resolution()), analysis_);
   if (history_ == nullptr) return;
   history_->start();
   take_in();
 }
 
+/// Leaves the memory of the present run, which can be looked at as long as one waits for the next,
+/// to that one.
+void ConvergenceStudy::make_way() {
+  if (ahead_) {
+    ahead_->begin(control_.resolution(), control_.later_resolutions());
+    ahead_->wait_for(control_.resolution(), stop_);
+  }
+  run_.reset();
+}
+
 Run ConvergenceStudy::next_run() {
   const Resolution& resolution = control_.resolution();
   if (make_run_) return make_run_(resolution);
-  if (!ahead_) return Run(scene_, composition_, resolution);
-  ahead_->begin(resolution, control_.later_resolutions());
-  return ahead_->take(resolution, stop_);
+  return ahead_ ? ahead_->take(resolution, stop_) : Run(scene_, composition_, resolution);
 }
 
 void ConvergenceStudy::advance(const std::function<bool()>& stop) {
@@ -188,6 +196,10 @@ void ConvergenceStudy::take_in() {
 
 Restitution ConvergenceStudy::restitution_of_run() const {
   return analysis_.restitution(!run_->has_flag(Flag::kNotSeparated));
+}
+
+Strain ConvergenceStudy::strain() const {
+  return StrainMeter(composition_->bodies->disk().points).measure(run_->disk_state().position);
 }
 
 double ConvergenceStudy::answer() const {

@@ -65,7 +65,7 @@ class ConvergenceStudy {
   const ImpactAnswer& impact() const { return control_.answer(); }
   /// Of the present run.
   Restitution restitution_of_run() const;
-  Strain strain() const { return strain_meter_.measure(run_->disk_state().position); }
+  Strain strain() const;
   /// What numerics.error is about: ξ of a contact, e of a collision.
   double answer() const;
   /// E and ν of a stretched rectangle, in the middle of it: half its width and half its height.
@@ -83,6 +83,7 @@ class ConvergenceStudy {
   ConvergenceStudy(const Scene& scene, std::shared_ptr<const Composition> composition,
                    MakeRun make_run, History* history);
 
+  void make_way();
   Run next_run();
   void start_run();
   /// Takes in what `move` does to the run.
@@ -101,7 +102,6 @@ class ConvergenceStudy {
   ErrorControl control_;
   std::optional<Run> run_;
   int runs_ = 0;
-  StrainMeter strain_meter_;
   ImpactAnalysis analysis_;
   History* history_;  ///< nullptr: nobody wants it
   std::optional<double> given_wall_time_;

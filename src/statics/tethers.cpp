@@ -13,57 +13,81 @@ namespace {
 
 constexpr std::size_t kMostRoots = 64;
 
-/// The bonds of each point.
-struct Neighbours {
-  struct End {
-    Eigen::Index point;
-    double length;
-  };
-  std::vector<std::vector<End>> ends;
+/// The bonds of each point by their numbers, those of point i from begin[i] on. Of the lattice,
+/// which must live as long.
+class BondsOfPoints {
+ public:
+  explicit BondsOfPoints(const Lattice& lattice);
 
-  explicit Neighbours(const Lattice& lattice)
-      : ends(static_cast<std::size_t>(lattice.points.rows())) {
-    for (std::size_t k = 0; k < lattice.bonds.size(); ++k) {
-      const Bond& bond = lattice.bonds[k];
-      const double length = lattice.natural_lengths[k];
-      ends[static_cast<std::size_t>(bond.first)].push_back({bond.second, length});
-      ends[static_cast<std::size_t>(bond.second)].push_back({bond.first, length});
+  std::size_t points() const { return begin_.size() - 1; }
+
+  /// Calls use(other end, natural length) for each bond of the point.
+  template <class Use>
+  void for_each(std::size_t point, const Use& use) const {
+    for (std::int32_t k = begin_[point]; k < begin_[point + 1]; ++k) {
+      const auto number = static_cast<std::size_t>(numbers_[static_cast<std::size_t>(k)]);
+      const Bond& bond = lattice_->bonds[number];
+      const bool is_first = static_cast<std::size_t>(bond.first) == point;
+      use(static_cast<std::size_t>(is_first ? bond.second : bond.first),
+          lattice_->natural_lengths[number]);
     }
   }
-  std::size_t points() const { return ends.size(); }
+
+ private:
+  const Lattice* lattice_;
+  std::vector<std::int32_t> begin_;
+  std::vector<std::int32_t> numbers_;
 };
+
+BondsOfPoints::BondsOfPoints(const Lattice& lattice)
+    : lattice_(&lattice),
+      begin_(static_cast<std::size_t>(lattice.points.rows()) + 1, 0),
+      numbers_(2 * lattice.bonds.size()) {
+  for (const Bond& bond : lattice.bonds) {
+    ++begin_[static_cast<std::size_t>(bond.first)];
+    ++begin_[static_cast<std::size_t>(bond.second)];
+  }
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  for (std::size_t k = lattice.bonds.size(); k-- > 0;) {  // the last first, each list from its end
+    for (const std::int32_t end : {lattice.bonds[k].first, lattice.bonds[k].second}) {
+      const std::int32_t place = --begin_[static_cast<std::size_t>(end)];
+      numbers_[static_cast<std::size_t>(place)] = static_cast<std::int32_t>(k);
+    }
+  }
+}
 
 /// The shortest ways along the bonds from one point to all others (E. W. Dijkstra, 1959).
 struct ShortestWays {
   std::vector<double> length;
-  std::vector<int> bonds;              ///< of each way
-  std::vector<std::size_t> before;     ///< the point before each
-  std::vector<std::size_t> by_length;  ///< all points, the root first
+  std::vector<std::int32_t> bonds;      ///< of each way
+  std::vector<std::int32_t> before;     ///< the point before each
+  std::vector<std::int32_t> by_length;  ///< all points, the root first
 
-  ShortestWays(const Neighbours& neighbours, std::size_t root);
+  ShortestWays(const BondsOfPoints& bonds_of_points, std::int32_t root);
 };
 
-ShortestWays::ShortestWays(const Neighbours& neighbours, std::size_t root)
-    : length(neighbours.points(), std::numeric_limits<double>::infinity()),
-      bonds(neighbours.points(), 0),
-      before(neighbours.points(), root) {
-  using Entry = std::pair<double, std::size_t>;
+ShortestWays::ShortestWays(const BondsOfPoints& bonds_of_points, std::int32_t root)
+    : length(bonds_of_points.points(), std::numeric_limits<double>::infinity()),
+      bonds(bonds_of_points.points(), 0),
+      before(bonds_of_points.points(), root) {
+  using Entry = std::pair<double, std::int32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  length[root] = 0.0;
+  by_length.reserve(bonds_of_points.points());
+  length[static_cast<std::size_t>(root)] = 0.0;
   queue.emplace(0.0, root);
   while (!queue.empty()) {
-    const auto [way, point] = queue.top();
+    const Entry nearest = queue.top();
     queue.pop();
-    if (way > length[point]) continue;
-    by_length.push_back(point);
-    for (const Neighbours::End& end : neighbours.ends[point]) {
-      const auto next = static_cast<std::size_t>(end.point);
-      if (way + end.length >= length[next]) continue;
-      length[next] = way + end.length;
+    const auto point = static_cast<std::size_t>(nearest.second);
+    if (nearest.first > length[point]) continue;
+    by_length.push_back(nearest.second);
+    bonds_of_points.for_each(point, [&](std::size_t next, double bond) {
+      if (length[point] + bond >= length[next]) return;
+      length[next] = length[point] + bond;
       bonds[next] = bonds[point] + 1;
-      before[next] = point;
-      queue.emplace(length[next], next);
-    }
+      before[next] = nearest.second;
+      queue.emplace(length[next], static_cast<std::int32_t>(next));
+    });
   }
 }
 
@@ -72,9 +96,10 @@ double spread_of(const ShortestWays& ways) {
   const auto points = static_cast<double>(ways.length.size());
   std::vector<double> share(ways.length.size(), 1.0 / points);
   double squares = 0.0;
-  for (auto point = ways.by_length.rbegin(); point + 1 != ways.by_length.rend(); ++point) {
-    squares += share[*point] * share[*point];
-    share[ways.before[*point]] += share[*point];
+  for (auto number = ways.by_length.rbegin(); number + 1 != ways.by_length.rend(); ++number) {
+    const auto point = static_cast<std::size_t>(*number);
+    squares += share[point] * share[point];
+    share[static_cast<std::size_t>(ways.before[point])] += share[point];
   }
   return std::sqrt(squares);
 }
@@ -101,11 +126,11 @@ void add_half(const PointArray& points, const Order& order, std::vector<Eigen::I
 }  // namespace
 
 Tethers::Tethers(const Lattice& lattice) {
-  const Neighbours neighbours(lattice);
   const std::vector<Eigen::Index> corners = convex_hull(lattice.points);
+  const BondsOfPoints bonds_of_points(lattice);
   const std::size_t interval = (corners.size() + kMostRoots - 1) / kMostRoots;
   for (std::size_t root = 0; root < corners.size(); root += interval) {
-    const ShortestWays ways(neighbours, static_cast<std::size_t>(corners[root]));
+    const ShortestWays ways(bonds_of_points, static_cast<std::int32_t>(corners[root]));
     const double length = std::accumulate(ways.length.begin(), ways.length.end(), 0.0) /
                           static_cast<double>(ways.length.size());
     const double stretch = spread_of(ways);

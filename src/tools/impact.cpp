@@ -1,5 +1,8 @@
 // One run of a scene without a ROS master: its result on stdout, progress on stderr.
 
+#include <malloc.h>
+
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -83,6 +86,14 @@ void tell_if_long(const ConvergenceStudy& study) {
   fmt::print(stderr, "impact: this scene will take about {}\n", text(expected));
 }
 
+/// Where a large lattice was made, the heap is left with holes that its runs would not fill but add
+/// to. From here on large arrays have pages of their own.
+void give_back_freed_memory() {
+  constexpr int kLarge = 4 << 20;  // bytes
+  malloc_trim(0);
+  mallopt(M_MMAP_THRESHOLD, kLarge);
+}
+
 /// Of the body of this number; 0: the disk.
 std::string lattice_file(std::size_t body) {
   return (body == 0 ? "lattice" : name_of_body(body)) + ".data";
@@ -152,7 +163,9 @@ void perform(const FlatTree& keys, const Options& options) {
     output.emplace(options.folder);
     history.emplace(options.keep_states ? output->files.beside(Output::kStates) : "");
   }
-  ConvergenceStudy study(scene, history ? &*history : nullptr);
+  const std::shared_ptr<const Composition> composition = compose_shared(scene);
+  give_back_freed_memory();
+  ConvergenceStudy study(scene, composition, history ? &*history : nullptr);
   tell_if_long(study);
   perform(study);
 
