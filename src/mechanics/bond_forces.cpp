@@ -78,7 +78,7 @@ BondForces BondForces::with(const BondLaw& law) const {
 }
 
 void BondForces::pair_up(const PointArray& points, Aligned<double>& pairs) const {
-  pairs.resize(static_cast<std::size_t>(2 * kSlice * table_->slices()), 0.0);
+  pairs.resize(static_cast<std::size_t>(Eigen::Index{2} * kSlice * table_->slices()), 0.0);
   const double* const x = points.data();
   const double* const y = x + points.rows();
   in_parts(table_->points, [&](Eigen::Index /*part*/, Eigen::Index first, Eigen::Index size) {

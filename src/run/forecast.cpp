@@ -55,8 +55,8 @@ Spectrum typical_spectrum(const Scene& scene, double points) {
 
 /// Steps of a run, and the time of one in steps of undamped velocity Verlet.
 struct Work {
-  double steps;  ///< of all runs
-  double cost_of_step;
+  double steps = 0.0;  ///< of all runs
+  double cost_of_step = 0.0;
   double cost_of_factors = 0.0;  ///< of all runs, in the same steps
 };
 
