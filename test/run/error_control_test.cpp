@@ -120,6 +120,32 @@ TEST(ErrorControl, AsksTwiceWhereMuchIsExtrapolated) {
   EXPECT_EQ(exact.runs, 5);
 }
 
+/// Where the term in h⁴ takes away what the next one does at the steps of three runs, they look
+/// like pure h², and their limit is off by that next term: here that of a vibration against the
+/// wall.
+TEST(ErrorControl, AsksOnceMoreWhereTheStepsAreLongForTheWall) {
+  constexpr double kSize = 1e-2;
+  const Scene scene = scene_with(1e-4);
+  const std::vector<double> steps = Play(scene, {}).steps;
+  const double omega = 1.5 / steps.front();
+  const auto squared = [omega](double h) { return std::pow(omega * h, 2); };
+  double sum = 0.0;
+  for (const double h : steps) sum += squared(h);
+  const auto play = [&](double rate) {
+    return Play(scene, {[&](double h) {
+                          const double x = squared(h);
+                          return kSize * x * (1.0 - sum * x / 60.0 + x * x / 60.0);
+                        },
+                        [rate](FinishedImpact& run) { run.stiffest_contact = rate; }});
+  };
+  const Play soft = play(0.0);
+  EXPECT_EQ(soft.runs, 3);
+  EXPECT_GT(soft.true_error(), 1e-4);
+  const Play stiff = play(omega * omega);
+  EXPECT_GT(stiff.runs, 3);
+  EXPECT_LE(stiff.true_error(), 1e-4);
+}
+
 /// The extrapolated answer needs steps that leave one run by itself with a hundred times the error.
 TEST(ErrorControl, ExtrapolatesWhereTheOrderIsSeen) {
   const auto error = [](double h) { return 0.06 * h * h * (1.0 + h * h); };
