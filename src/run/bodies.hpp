@@ -8,6 +8,7 @@
 #include "lattice/lattice.hpp"
 #include "mechanics/bond_forces.hpp"
 #include "mechanics/spectrum.hpp"
+#include "reduced/bulk_modes.hpp"
 #include "run/placed_body.hpp"
 #include "scene/scene.hpp"
 #include "statics/compliance.hpp"
@@ -32,6 +33,7 @@ struct Bodies {
   std::vector<std::string> flags;    ///< Run::flags() that files lead to
   /// Of the disk that is thrown.
   std::shared_ptr<ComplianceOnDemand> compliance = std::make_shared<ComplianceOnDemand>();
+  std::shared_ptr<BulkModesOnDemand> modes = std::make_shared<BulkModesOnDemand>();
 
   const Lattice& disk() const { return all.front().lattice; }
   bool is_alone() const { return all.size() == 1; }

@@ -196,9 +196,11 @@ Composition compose_on_wall(const Scene& scene, std::shared_ptr<const Bodies> bo
   }
 
   const double gap = initial.position.col(1).head(points).minCoeff();
-  const bool is_slow = may_be_reduced(scene, points) && !has_flag(bodies->flags, Flag::kFloppy);
+  const bool is_floppy = has_flag(bodies->flags, Flag::kFloppy);
+  const bool is_slow = may_be_reduced(scene, points) && !is_floppy;
   Rates rates_of_scene = rates(scene, spectrum, wall, static_cast<int>(points), sound_speed);
   rates_of_scene.time = expected_time(scene, points, gap, row_gap);
+  rates_of_scene.modal = !is_floppy;
   return {std::move(bodies),
           std::move(field),
           std::move(initial),
@@ -239,9 +241,10 @@ Composition compose(const Scene& scene, std::shared_ptr<const Bodies> bodies) {
         "a contact has no state of rest",
         scene.disk.file));
   }
-  if (scene.numerics.integrator == IntegratorKind::kReduced &&
+  const IntegratorKind integrator = scene.numerics.integrator;
+  if (traits_of(integrator).stepping == Stepping::kReduced &&
       has_flag(bodies->flags, Flag::kFloppy)) {
-    throw bad_value("numerics.integrator", "reduced",
+    throw bad_value("numerics.integrator", traits_of(integrator).name,
                     "another one for a floppy lattice, which has no static compliance");
   }
   return scene.kind == SceneKind::kStretch ? compose_stretch(scene, std::move(bodies))

@@ -4,6 +4,7 @@
 
 #include "mechanics/force_field.hpp"
 #include "mechanics/state.hpp"
+#include "reduced/modal_correction.hpp"
 #include "run/bodies.hpp"
 #include "run/expected_time.hpp"
 #include "run/resolution.hpp"
@@ -20,6 +21,9 @@ struct Composition {
   Rates rates;                 ///< with an estimate of the sound speed
   Resolution resolution;       ///< the first, see first_resolution()
   double expected_time = 0.0;  ///< rough time at which the run's question is answered, R/c
+  /// Of the method `modal`, for all its runs.
+  std::shared_ptr<ModalCorrectionOnDemand> modal_correction =
+      std::make_shared<ModalCorrectionOnDemand>();
 };
 
 /// @throw InputError for what is known before the bodies are made: for a disk of more than 10⁶

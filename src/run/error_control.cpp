@@ -96,7 +96,8 @@ bool ErrorControl::is_controlled() const {
 void ErrorControl::plan(const Resolution& finest) {
   planned_ = leading_up_to(scene_, finest);
   runs_.clear();
-  rates_.imex = rates_.imex && finest.integrator == IntegratorKind::kImex;
+  rates_.modal = rates_.modal && finest.integrator == IntegratorKind::kModal;
+  rates_.imex = rates_.modal || (rates_.imex && finest.integrator == IntegratorKind::kImex);
   most_steps_ = std::max({most_steps_, kMostSteps, kMostRefinement * expected_time_ / finest.step});
   go_on(kRefinement);
 }
@@ -228,10 +229,12 @@ bool ErrorControl::leaves_out_too_much(const FinishedImpact& run) {
 /// Where `auto` began with a method for slow impacts, by one for all. False if it did not, or if
 /// that would take too long.
 bool ErrorControl::go_on_otherwise() {
-  const bool is_slow = resolution_.integrator == IntegratorKind::kReduced ||
-                       resolution_.integrator == IntegratorKind::kImex;
+  const IntegratorKind present = resolution_.integrator;
+  const bool is_slow =
+      traits_of(present).stepping == Stepping::kReduced || present == IntegratorKind::kImex;
   if (!is_slow || scene_.numerics.integrator != IntegratorKind::kAuto) return false;
-  rates_.imex = false;
+  rates_.imex = present == IntegratorKind::kModal;
+  rates_.modal = false;
   rates_.met.reset();
   Resolution next = first_resolution(scene_, rates_);
   Scene with_next = scene_;
@@ -328,7 +331,7 @@ void ErrorControl::add(const ModelError& left_out) {
     const double relative = is_read_off_steps(name) ? left_out.others : left_out.restitution;
     answer_.error.*number += relative * std::abs(answer_.value.*number);
   }
-  if (resolution_.integrator != IntegratorKind::kReduced) return;
+  if (traits_of(resolution_.integrator).stepping != Stepping::kReduced) return;
   const double turned = left_out.spin / std::abs(answer_.value.spin_after);
   answer_.error.spin_after += left_out.spin;
   answer_.error.rotation_energy += 2.0 * turned * answer_.value.rotation_energy;

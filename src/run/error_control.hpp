@@ -68,8 +68,8 @@ struct FinishedImpact {
 /// A start that turns out too near to the wall, since little speed is left after the impact, is
 /// raised.
 ///
-/// Where `auto` began with `imex` and its runs fail, need too many steps or do not agree, it goes
-/// on with the other methods.
+/// Where `auto` began with `modal` or `imex` and its runs fail, need too many steps or do not
+/// agree, it goes on with the other methods.
 ///
 /// A run whose step was reduced on the way does not count, but tells how stiff the wall becomes, by
 /// which the next ones are planned. If runs of a method of order 2 show that

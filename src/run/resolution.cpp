@@ -208,6 +208,9 @@ Resolution fixed_resolution(const Scene& scene, IntegratorKind integrator, const
 
 /// Whether `auto` may.
 bool may_take(const IntegratorTraits& method, const Scene& scene, const Rates& rates) {
+  if (method.kind == IntegratorKind::kModal) {
+    return rates.modal && may_be_modal(scene, std::lround(points_of(rates.spacing)));
+  }
   return is_automatic(method, scene.circumstances()) && (rates.imex || !method.implicit_bonds);
 }
 
@@ -261,6 +264,17 @@ double growth_of_solutions(double spacing, double power) {
   return std::pow(points_of(spacing) / 1099.0, power);
 }
 
+/// Of the time of a step over that of velocity Verlet: with the number of points.
+double power_of_step(IntegratorKind integrator) {
+  if (integrator == IntegratorKind::kModal) return -0.5;
+  return solves_for_bonds(integrator) ? 0.4 : 0.0;
+}
+
+/// The same of a factor.
+double power_of_factor(IntegratorKind integrator) {
+  return integrator == IntegratorKind::kImex ? 0.8 : 0.0;
+}
+
 /// The energy of the impact, M v²/2, goes into the disk, P²/2k with k = M (π/τ)², and the wall,
 /// P/a.
 double largest_force_of_impact(const Scene& scene, double sound_speed) {
@@ -297,6 +311,7 @@ std::unique_ptr<FixedStepIntegrator<Field>> make_fixed(IntegratorKind integrator
     case IntegratorKind::kBdf:
     case IntegratorKind::kRk8pd:
     case IntegratorKind::kReduced:
+    case IntegratorKind::kModal:
     case IntegratorKind::kNewton:
       break;
   }
@@ -314,13 +329,13 @@ double dividing_resets(const Scene& scene, double step) {
 
 double cost_of_step(const Scene& scene, IntegratorKind integrator, double spacing) {
   const IntegratorTraits& method = traits_of(integrator);
-  const double growth = solves_for_bonds(integrator) ? growth_of_solutions(spacing, 0.4) : 1.0;
+  const double growth = growth_of_solutions(spacing, power_of_step(integrator));
   return growth * (scene.is_damped() ? method.damped_cost : method.cost);
 }
 
 double cost_of_factor(const Scene& scene, IntegratorKind integrator, double spacing) {
   if (!scene.is_damped()) return 0.0;
-  const double growth = solves_for_bonds(integrator) ? growth_of_solutions(spacing, 0.8) : 1.0;
+  const double growth = growth_of_solutions(spacing, power_of_factor(integrator));
   return growth * traits_of(integrator).factor_cost;
 }
 
@@ -349,7 +364,9 @@ Rates rates(const Scene& scene, const Spectrum& lattice, const Repulsion& law, i
 
 double step_limit(IntegratorKind integrator, const Spectrum& lattice, double contact_rate,
                   double inner_share) {
-  return make_fixed<ForceField>(integrator)->step_limit_with(lattice, contact_rate, inner_share);
+  const IntegratorKind scheme =
+      integrator == IntegratorKind::kModal ? IntegratorKind::kImex : integrator;
+  return make_fixed<ForceField>(scheme)->step_limit_with(lattice, contact_rate, inner_share);
 }
 
 IntegratorKind with_given_step(IntegratorKind integrator) {

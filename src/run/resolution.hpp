@@ -40,6 +40,7 @@ struct Rates {
   double spacing = 1.0;  ///< of the points of the disk, R
   double time = 1.0;     ///< that a run is expected to take, R/c
   bool imex = true;      ///< whether `auto` may take it: not once it began with another method
+  bool modal = true;     ///< the same, and not on a floppy lattice
 };
 
 /// Estimate of the largest wall force on one point (M c²/R) during the run, for the choice of the
@@ -102,14 +103,14 @@ double steps_of_all_runs(const Resolution& last);
 ///
 /// Where velocities are reset at intervals, the step, given or not, is shortened to divide them.
 /// @throw InputError when a given step exceeds the stability limit of the lattice and its damping
-/// or, with `reduced` and `imex`, 0.5/(a v).
+/// or, with `reduced`, `imex` and `modal`, 0.5/(a v).
 Resolution first_resolution(const Scene& scene, const Rates& rates);
 
 /// The runs of a collision that end with this one: it, and those before it, the first one last.
 std::vector<Resolution> leading_up_to(const Scene& scene, const Resolution& finest);
 
-/// The method of higher order or, in the place of `imex`, of any order to begin anew with, where
-/// `auto` chose one which turns out to need this step (R/c), and the other costs less.
+/// The method of higher order or, in the place of `imex` and `modal`, of any order to begin anew
+/// with, where `auto` chose one which turns out to need this step (R/c), and the other costs less.
 std::optional<Resolution> better_integrator(const Scene& scene, const Resolution& resolution,
                                             double step, const Rates& rates);
 

@@ -83,6 +83,9 @@ DrivenSystem simulated(const Scene& scene, const Composition& composition,
   if (resolution.integrator == IntegratorKind::kReduced) {
     return driven(slow_impact(scene, composition, resolution), interval);
   }
+  if (resolution.integrator == IntegratorKind::kModal) {
+    return driven(modal_impact(scene, composition, resolution), interval);
+  }
   return driven(
       std::make_unique<Simulation>(
           composition.field, start_of(composition, resolution), composition.rates.lattice,

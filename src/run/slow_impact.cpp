@@ -9,8 +9,10 @@
 namespace impact {
 namespace {
 
-constexpr double kFastestWall = 2.0;    // a v over √(k_a/M)
-constexpr double kFastestDisk = 0.006;  // v over √(k_a R²/M)
+constexpr double kFastestWall = 2.0;     // a v over √(k_a/M)
+constexpr double kFastestDisk = 0.006;   // v over √(k_a R²/M)
+constexpr double kFastestModal = 0.012;  // v over √(k_a R²/M)
+constexpr Eigen::Index kFewestModal = 100;
 constexpr double kMostInContact = 100.0;
 constexpr double kLongestWayOfReduced = 0.3;  // a v h of the last run
 constexpr double kCoarseningOfReduced = 1.25;
@@ -38,6 +40,14 @@ bool may_be_reduced(const Scene& scene, Eigen::Index points) {
          points_in_contact(scene, static_cast<double>(points)) <= kMostInContact;
 }
 
+bool may_be_modal(const Scene& scene, Eigen::Index points) {
+  const double speed = scene.impact.normal_velocity() / std::sqrt(scene.material.k_a);
+  return scene.numerics.integrator == IntegratorKind::kAuto && can_be_modal(scene) &&
+         scene.is_damped() && scene.flies_without_forces() && !scene.numerics.are_given() &&
+         speed <= kFastestModal && points >= kFewestModal &&
+         points_in_contact(scene, static_cast<double>(points)) <= kMostInContact;
+}
+
 Resolution reduced_resolution(const Scene& scene) {
   const double way = scene.wall.a * scene.impact.normal_velocity();
   Resolution resolution;
@@ -53,6 +63,21 @@ std::unique_ptr<ReducedMotion> slow_impact(const Scene& scene, const Composition
   return std::make_unique<ReducedMotion>(
       composition.field, start_of(composition, resolution), bodies.compliance->of(bodies.disk()),
       out_of_reach(scene) * impact_energy(scene, 1.0), resolution.step);
+}
+
+std::unique_ptr<ModalMotion> modal_impact(const Scene& scene, const Composition& composition,
+                                          const Resolution& resolution) {
+  const Bodies& bodies = *composition.bodies;
+  const ForceField& field = composition.field;
+  const auto modes = bodies.modes->of(bodies.disk(), *bodies.compliance, scene.wall.a);
+  const ModalCorrection& correction = composition.modal_correction->of([&] {
+    return modal_correction({modes, field.bonds.law(), *field.wall, nullptr}, field,
+                            composition.initial, *bodies.compliance->of(bodies.disk()),
+                            scene.numerics.error);
+  });
+  return std::make_unique<ModalMotion>(field, start_of(composition, resolution), modes, correction,
+                                       resolution.lift / scene.impact.normal_velocity(),
+                                       resolution.step);
 }
 
 }  // namespace impact

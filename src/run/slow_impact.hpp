@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "reduced/modal_motion.hpp"
 #include "reduced/reduced_motion.hpp"
 #include "run/compose.hpp"
 #include "run/resolution.hpp"
@@ -28,5 +29,18 @@ Resolution reduced_resolution(const Scene& scene);
 /// by numerics.error/10³.
 std::unique_ptr<ReducedMotion> slow_impact(const Scene& scene, const Composition& composition,
                                            const Resolution& resolution);
+
+/// Whether `auto` may take the method `modal`: in a scene with damping that can have it (see
+/// can_be_modal()), begins without forces and gives no step, with so many points, if
+///   v ≤ 0.012 √(k_a R²/M), to which depth points have modes of their own, and
+///   it has 100 points at least, and some 100 at most come into contact.
+/// Whether it does is a matter of cost. The run itself says how much it left out, see
+/// ModalCorrection; where that is too much, error control goes over to another method.
+bool may_be_modal(const Scene& scene, Eigen::Index points);
+
+/// The motion of a slow impact in modes that starts so. All runs of a composition share the
+/// correction of the one that starts at its height.
+std::unique_ptr<ModalMotion> modal_impact(const Scene& scene, const Composition& composition,
+                                          const Resolution& resolution);
 
 }  // namespace impact

@@ -16,6 +16,7 @@ enum class IntegratorKind {
   kBdf,      ///< SUNDIALS CVODE, for stiff damping
   kRk8pd,    ///< GSL, the independent reference
   kReduced,  ///< rigid motion and static compliance, for slow impacts
+  kModal,    ///< rigid motion and modes, for slow impacts with damping
   kNewton    ///< no motion: a static solution
 };
 
@@ -29,9 +30,19 @@ enum class Stepping {
 };
 
 /// For which forces `auto` may choose a method: kFlight, those without damping on a potential wall,
-/// and none at the start; kDampedWall, those with damping on a potential wall; in a slow impact
-/// before all others, see may_be_reduced().
-enum class AutoChoice { kNever, kFlight, kUndamped, kDamped, kDampedWall, kAlways, kSlow };
+/// and none at the start; kDampedWall, those with damping on a potential wall; kSlow, in a slow
+/// impact before all others, see may_be_reduced(); kSlowDamped, in a slow impact, see
+/// may_be_modal().
+enum class AutoChoice {
+  kNever,
+  kFlight,
+  kUndamped,
+  kDamped,
+  kDampedWall,
+  kAlways,
+  kSlow,
+  kSlowDamped
+};
 
 /// What the package knows of a method, besides how to make it (make_integrator()).
 struct IntegratorTraits {
@@ -55,7 +66,7 @@ struct IntegratorTraits {
 
 /// A row for each method, in the order of IntegratorKind, which is that of lists for users.
 // clang-format off
-inline constexpr std::array<IntegratorTraits, 11> kIntegrators{{
+inline constexpr std::array<IntegratorTraits, 12> kIntegrators{{
     // kind, name, stepping, order,
     //     stiff, implicit bonds, holds with damping, with passing contacts, in lanes,
     //     auto may choose it, cost, damped cost, factor cost
@@ -79,6 +90,8 @@ inline constexpr std::array<IntegratorTraits, 11> kIntegrators{{
          false, false, true, true, false, AutoChoice::kNever, 14.0, 14.0, 0.0},
     {IntegratorKind::kReduced, "reduced", Stepping::kReduced, 2,
          false, false, false, false, false, AutoChoice::kSlow, 0.5, 0.5, 0.0},
+    {IntegratorKind::kModal, "modal", Stepping::kReduced, 2,
+         true, true, true, false, false, AutoChoice::kSlowDamped, 0.36, 0.36, 960.0},
     {IntegratorKind::kNewton, "newton", Stepping::kStatic, 0,
          false, false, true, true, true, AutoChoice::kNever, 0.0, 0.0, 0.0},
 }};
@@ -126,6 +139,7 @@ constexpr bool is_automatic(const IntegratorTraits& method, const Circumstances&
       return scene.damped && !scene.passing;
     case AutoChoice::kNever:
     case AutoChoice::kSlow:
+    case AutoChoice::kSlowDamped:
       break;
   }
   return false;

@@ -318,14 +318,30 @@ Keys make_table() {
   return table;
 }
 
-/// What keeps a scene from being a slow impact of rigid motion and static compliance; empty:
-/// nothing.
-std::string beyond_reduced(const Scene& scene) {
+/// What keeps a scene from being a slow impact of less than all points; empty: nothing.
+std::string beyond_slow_impact(const Scene& scene) {
   if (scene.kind != SceneKind::kCollision) return "a contact or stretch scene";
   if (scene.wall.kind != WallKind::kPotential) return "a wall that moves (wall.type)";
-  if (scene.is_damped()) return "damping (material.eta above 0)";
   if (scene.gravity != 0.0) return "gravity";
   if (scene.impact.spin != 0.0) return "a disk that spins at the start (impact.spin)";
+  return "";
+}
+
+/// The same of one of rigid motion and static compliance.
+std::string beyond_reduced(const Scene& scene) {
+  const std::string more = beyond_slow_impact(scene);
+  return more.empty() && scene.is_damped() ? "damping (material.eta above 0)" : more;
+}
+
+/// The same of one of modes.
+std::string beyond_modal(const Scene& scene) {
+  const std::string more = beyond_slow_impact(scene);
+  return more.empty() && scene.impact.angle != 0.0 ? "an oblique impact (impact.angle)" : more;
+}
+
+std::string beyond(IntegratorKind kind, const Scene& scene) {
+  if (kind == IntegratorKind::kReduced) return beyond_reduced(scene);
+  if (kind == IntegratorKind::kModal) return beyond_modal(scene);
   return "";
 }
 
@@ -342,9 +358,8 @@ void check_integrator(const Scene& scene) {
     refuse("a method of motion in a collision, not a static solution");
   }
   if (!still && scene.kind == SceneKind::kStretch) refuse("auto or newton in a stretch scene");
-  const std::string beyond = beyond_reduced(scene);
-  if (kind == IntegratorKind::kReduced && !beyond.empty()) {
-    refuse(fmt::format("another one with {}, which reduced does not have", beyond));
+  if (const std::string more = beyond(kind, scene); !more.empty()) {
+    refuse(fmt::format("another one with {}, which {} does not have", more, name_of(kind)));
   }
   if (!method.holds_with_damping && scene.is_damped()) {
     refuse(
@@ -426,6 +441,8 @@ const std::vector<std::pair<std::string, IntegratorKind>>& integrator_names() {
 }
 
 bool can_be_reduced(const Scene& scene) { return beyond_reduced(scene).empty(); }
+
+bool can_be_modal(const Scene& scene) { return beyond_modal(scene).empty(); }
 
 std::string name_of(IntegratorKind kind) { return traits_of(kind).name; }
 

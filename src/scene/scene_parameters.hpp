@@ -16,6 +16,10 @@ const std::vector<Parameter<Scene>>& scene_parameters();
 /// spin, on the potential wall without gravity.
 bool can_be_reduced(const Scene& scene);
 
+/// Whether the scene can have the method `modal`: the impact of a disk, damped or not, which
+/// neither spins nor slides, on the potential wall without gravity.
+bool can_be_modal(const Scene& scene);
+
 /// The words for the integrators in scenes, messages and results.
 const std::vector<std::pair<std::string, IntegratorKind>>& integrator_names();
 std::string name_of(IntegratorKind kind);

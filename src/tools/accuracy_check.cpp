@@ -205,7 +205,8 @@ int main(int argc, char** argv) {
       ->capture_default_str()
       ->check(CLI::Range(1, 10000));
   app.add_option("--seed", seed, "of the random scenes")->capture_default_str();
-  app.add_flag("--slow", slow, "slow impacts, of which auto tries the methods reduced and imex");
+  app.add_flag("--slow", slow,
+               "slow impacts, of which auto tries the methods reduced, modal and imex");
   app.add_option("--jobs", jobs, "threads")->capture_default_str()->check(CLI::Range(1, 1024));
   return impact::run_tool(app, argc, argv, [&] {
     impact::check_accuracy(slow ? impact::random_slow_scene : impact::random_scene, seed, scenes,

@@ -161,7 +161,7 @@ RandomScene random_slow_scene(std::uint64_t seed, int number) {
     const Composition composition = compose(scene);
     const IntegratorKind integrator = composition.resolution.integrator;
     const bool is_slow =
-        integrator == IntegratorKind::kReduced || integrator == IntegratorKind::kImex;
+        traits_of(integrator).stepping == Stepping::kReduced || integrator == IntegratorKind::kImex;
     if (is_slow && work_of(composition) <= kMostWorkOfSlowScene) return {scene, rejected};
   }
 }

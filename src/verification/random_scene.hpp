@@ -25,9 +25,9 @@ struct RandomScene {
 /// Placement, rim, the lattice's seed, an elastic wall's boundary and gap measure are drawn evenly.
 RandomScene random_scene(std::uint64_t seed, int number);
 
-/// The same for slow impacts on the potential wall, of which `auto` tries the methods `reduced` and
-/// `imex`: disk, numerics.error, V₀ and η* as there, a 30 … 3·10³/R, v 10⁻⁵ … 0.006 √(k_a R²/M);
-/// drawn anew until `auto` does, and work_of() is at most 1.5·10⁷.
+/// The same for slow impacts on the potential wall, of which `auto` tries the methods `reduced`,
+/// `modal` and `imex`: disk, numerics.error, V₀ and η* as there, a 30 … 3·10³/R, v 10⁻⁵ … 0.006
+/// √(k_a R²/M); drawn anew until `auto` does, and work_of() is at most 1.5·10⁷.
 RandomScene random_slow_scene(std::uint64_t seed, int number);
 
 /// Whether a scene of a lattice that can be made is of sensible size: v at most 0.3 √(k_a R²/M) and

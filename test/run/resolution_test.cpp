@@ -14,6 +14,7 @@
 #include "mechanics/potential_wall.hpp"
 #include "mechanics/takahashi_imada.hpp"
 #include "mechanics/velocity_verlet.hpp"
+#include "reduced/modal_motion.hpp"
 #include "reduced/reduced_motion.hpp"
 #include "run/expected_time.hpp"
 #include "theory/hertz.hpp"
@@ -57,6 +58,8 @@ int order_by_class(IntegratorKind integrator) {
       return Imex::kOrder;
     case IntegratorKind::kReduced:
       return ReducedMotion::kOrder;
+    case IntegratorKind::kModal:
+      return ModalMotion::kOrder;
     case IntegratorKind::kAuto:
     case IntegratorKind::kBdf:
     case IntegratorKind::kRk8pd:
@@ -177,16 +180,20 @@ TEST(FirstResolution, AutoGoesToImplicitDampingWhereItIsStiff) {
   EXPECT_EQ(integrator(1e6), IntegratorKind::kImplicitDamping);
 }
 
-/// Slow and damped: the factors are earned back, and steps grow as the wall's time does.
+/// Slow and damped: the factors are earned back, and steps grow as the wall's time does. Where
+/// modes may be taken they cost less.
 TEST(FirstResolution, AutoGoesToImexWhereADampedImpactIsSlow) {
-  const auto resolution = [](double velocity, double eta) {
+  const auto resolution = [](double velocity, double eta, bool modal = false) {
     const Scene scene = scene_with(IntegratorKind::kAuto, velocity, eta);
     Rates rates_of_scene = rates(scene, {8100.0, 12.4 * eta}, kWall, kPoints, kSoundSpeed);
     rates_of_scene.time = 0.1 / velocity;
+    rates_of_scene.modal = modal;
     return first_resolution(scene, rates_of_scene);
   };
   for (const double eta : {0.1, 10.0, 1e3}) {
     EXPECT_EQ(resolution(1e-4, eta).integrator, IntegratorKind::kImex) << eta;
+    EXPECT_EQ(resolution(1e-4, eta, true).integrator, IntegratorKind::kModal) << eta;
+    EXPECT_NE(resolution(0.1, eta, true).integrator, IntegratorKind::kModal) << eta;
     EXPECT_NE(resolution(0.1, eta).integrator, IntegratorKind::kImex) << eta;
   }
   EXPECT_NE(resolution(1e-4, 0.0).integrator, IntegratorKind::kImex);
@@ -203,6 +210,7 @@ TEST(FirstResolution, AutoLeavesImexWhereItDoesNotHold) {
         rates(scene, {7.4 * points, 12.4}, PotentialWall(300.0, 300.0 / points), points, 0.9);
     rates_of_scene.time = 0.1 / velocity;
     rates_of_scene.imex = imex;
+    rates_of_scene.modal = false;
     return first_resolution(scene, rates_of_scene);
   };
   EXPECT_EQ(resolution(1e-3, 1e-3, kPoints, true).integrator, IntegratorKind::kImex);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -177,6 +178,98 @@ TEST(SlowImpact, IsARunAsOthersAre) {
   const EnergyLedger ledger = run.system().ledger();
   EXPECT_NEAR(ledger.kinetic(), 0.5e-6, 1e-11);
   EXPECT_LT(ledger.bonds + ledger.wall, 1e-12);
+}
+
+/// A damped disk of some hundred points that starts without forces.
+Scene damped_scene(double velocity = 3e-3, double eta = 10.0, std::uint64_t seed = 1) {
+  Scene scene = slow_scene(velocity);
+  scene.disk.recipe.points = 300;
+  scene.seed = seed;
+  scene.impact.gap.reset();
+  scene.material.eta = eta;
+  return scene;
+}
+
+TEST(ModalImpact, MayBeTakenByAutoWhereItIsSlowAndDamped) {
+  EXPECT_TRUE(may_be_modal(damped_scene(), 300));
+  EXPECT_TRUE(may_be_modal(damped_scene(0.012), 300));
+  EXPECT_FALSE(may_be_modal(damped_scene(0.0121), 300));
+  EXPECT_FALSE(may_be_modal(damped_scene(3e-3, 0.0), 300));
+  EXPECT_FALSE(may_be_modal(damped_scene(), 99));
+  EXPECT_FALSE(may_be_modal(damped_scene(), 100000));
+  Scene scene = damped_scene();
+  scene.impact.gap = 0.15;
+  EXPECT_FALSE(may_be_modal(scene, 300));
+  scene = damped_scene();
+  scene.impact.angle = 10.0;
+  EXPECT_FALSE(may_be_modal(scene, 300));
+  scene = damped_scene();
+  scene.numerics.step = 0.01;
+  EXPECT_FALSE(may_be_modal(scene, 300));
+  scene = damped_scene();
+  scene.disk.recipe.points = 1099;
+  EXPECT_EQ(compose(scene).resolution.integrator, IntegratorKind::kModal);
+  EXPECT_EQ(compose(with(scene, IntegratorKind::kImex)).resolution.integrator,
+            IntegratorKind::kImex);
+}
+
+/// No number is off by more than is said.
+TEST(ModalImpact, AgreesWithTheMotionOfAllPoints) {
+  for (const auto& [velocity, eta, a] : {std::array<double, 3>{1e-3, 0.1, 300.0},
+                                         {3e-3, 300.0, 300.0},
+                                         {6e-3, 1.0, 1000.0},
+                                         {6e-3, 30.0, 200.0},
+                                         {0.01, 10.0, 300.0}}) {
+    for (const std::uint64_t seed : {1, 2}) {
+      SCOPED_TRACE(testing::Message() << velocity << " " << eta << " " << a << " " << seed);
+      Scene scene = with(damped_scene(velocity, eta, seed), IntegratorKind::kModal);
+      scene.wall.a = a;
+      scene.numerics.error = 2e-3;
+      const Answer modal = answer_of(scene);
+      EXPECT_EQ(modal.integrator, IntegratorKind::kModal);
+      scene.numerics.error = 1e-7;
+      const Answer all = answer_of(with(scene, IntegratorKind::kImex));
+      EXPECT_NEAR(modal.value.restitution, all.value.restitution,
+                  modal.error.restitution + all.error.restitution);
+      EXPECT_NEAR(modal.value.peak_force, all.value.peak_force,
+                  modal.error.peak_force + all.error.peak_force);
+      EXPECT_NEAR(modal.value.contact_duration, all.value.contact_duration,
+                  modal.error.contact_duration + all.error.contact_duration);
+    }
+  }
+}
+
+/// Then `auto` goes on with all points, and `modal` says what is in the way.
+TEST(ModalImpact, GivesWayWhereItLeavesOutTooMuch) {
+  Scene scene = damped_scene(0.01, 30.0);
+  scene.disk.recipe.points = 1099;
+  scene.numerics.error = 1e-6;
+  ASSERT_EQ(compose(scene).resolution.integrator, IntegratorKind::kModal);
+  const Answer answer = answer_of(scene);
+  EXPECT_EQ(answer.integrator, IntegratorKind::kImex);
+  EXPECT_LE(answer.estimated_error, 1e-6);
+  try {
+    answer_of(with(scene, IntegratorKind::kModal));
+    FAIL() << "1e-6 was kept";
+  } catch (const RunFailure& failure) {
+    EXPECT_EQ(std::string(failure.what())
+                  .find("numerics.error: 1e-06 cannot be kept by modal: what it leaves out may "
+                        "change the answer by "),
+              0U)
+        << failure.what();
+  }
+}
+
+/// Its energy is where it should be, and the run ends as others do.
+TEST(ModalImpact, IsARunAsOthersAre) {
+  const Scene scene = with(damped_scene(), IntegratorKind::kModal);
+  impact::Run run(scene, compose_shared(scene));
+  while (!run.finished()) run.advance();
+  EXPECT_TRUE(run.flags().empty());
+  EXPECT_LT(run.energy_error(), 2e-3);
+  EXPECT_GT(run.system().model_error().restitution, 0.0);
+  EXPECT_EQ(run.integrator(), IntegratorKind::kModal);
+  EXPECT_GT(run.system().ledger().dissipated, 0.0);
 }
 
 }  // namespace

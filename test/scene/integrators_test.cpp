@@ -23,6 +23,7 @@ std::size_t number_up_to(IntegratorKind last) {
     case IntegratorKind::kBdf:
     case IntegratorKind::kRk8pd:
     case IntegratorKind::kReduced:
+    case IntegratorKind::kModal:
     case IntegratorKind::kNewton:
       return static_cast<std::size_t>(last) + 1;
   }

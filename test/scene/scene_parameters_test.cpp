@@ -119,6 +119,17 @@ TEST(ParseScene, RefusesWhatDoesNotGoTogether) {
   }
   EXPECT_NO_THROW(
       parse("{scene: collision, impact: {angle: 10}, numerics: {integrator: reduced, step: 1}}"));
+  for (const auto& [rest, cause] : std::map<std::string, std::string>{
+           {"scene: contact, material: {eta: 1}", "a contact or stretch scene"},
+           {"scene: collision, wall: {type: lattice}", "a wall that moves (wall.type)"},
+           {"scene: collision, gravity: 0.1", "gravity"},
+           {"scene: collision, impact: {spin: 0.1}", "a disk that spins at the start"},
+           {"scene: collision, impact: {angle: 10}", "an oblique impact (impact.angle)"}}) {
+    EXPECT_INPUT_ERROR(parse("{numerics: {integrator: modal}, " + rest + "}"),
+                       "numerics.integrator: got modal, allowed: another one with " + cause);
+  }
+  EXPECT_NO_THROW(
+      parse("{scene: collision, material: {eta: 1}, numerics: {integrator: modal, step: 1}}"));
   EXPECT_INPUT_ERROR(parse("{scene: stretch, numerics: {integrator: verlet}}"),
                      "numerics.integrator: got verlet, allowed: auto or newton in a stretch scene");
   EXPECT_INPUT_ERROR(parse("{scene: stretch, stretch: {strain: 0}}"),

@@ -222,6 +222,22 @@ TEST(SideBySide, GivesTheResultsOfSingleStudiesToTheLastBit) {
             (std::set<std::string>{"verlet", "takahashi_imada", "imex", "extrapolated_damping"}));
 }
 
+/// The scenes of one lattice share its modes.
+TEST(SideBySide, DoesSoWithSlowImpactsInModes) {
+  const auto list = scenes(
+      "{scene: collision, disk: {points: 1099}, material: {eta: [10, 30]}, impact: {velocity: "
+      "[0.002, 0.004]}}");
+  const auto outcome = simulate_side_by_side(
+      list, make_common_bodies(list), [] { return false; }, [] {});
+  ASSERT_EQ(outcome->results.size(), list.size());
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    ConvergenceStudy study(list[i]);
+    while (!study.finished()) study.advance();
+    EXPECT_EQ(std::get<std::string>(*study.result().find("integrator")), "modal");
+    EXPECT_EQ(yaml_without_wall_time(outcome->results[i]), yaml_without_wall_time(study.result()));
+  }
+}
+
 TEST(SideBySide, DoesSoOnTheElasticWall) {
   expect_results_of_single_studies(impacts_on_the_elastic_wall());
 }

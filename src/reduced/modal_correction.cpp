@@ -1,0 +1,366 @@
+#include "reduced/modal_correction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "mechanics/body_motion.hpp"
+
+namespace impact {
+namespace {
+
+constexpr double kWayOfStep = 0.1;             // a v h
+constexpr double kWayOfInstants = 0.6;         // a v between two
+constexpr double kLeastForce = 0.01;           // of the greatest: where instants begin and end
+constexpr double kTail = 1e-12;                // of the energy before: where the wall has ended
+constexpr double kStiffestOfPass = 4.0 / 1.5;  // a f h²/m on a point, with a margin
+constexpr int kMostSteps = 10000;
+constexpr int kMostHalvings = 20;
+constexpr int kMostCorrections = 4;
+constexpr double kNegligible = 0.1;  // of the wanted error
+// Margins, see ModalCorrection:
+constexpr double kMarginOfLatest = 0.5;
+constexpr double kByChance = 0.03;
+constexpr double kMismatch = 0.02;
+constexpr double kMarginOfSpace = 5.0;
+constexpr double kRounding = 1e-9;  // of forces outside the space over all
+constexpr double kStrong = 0.1;     // of the greatest force
+constexpr std::size_t kMostStrong = 6;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Instant {
+  ModalState state;
+  Eigen::VectorXd contact_forces;
+  double angular_acceleration;
+};
+
+/// A run.
+struct Pass {
+  double velocity = 0.0;  ///< after, c
+  double spin = 0.0;      ///< c/R
+  double largest_force = 0.0;
+  double begin = 0.0;  ///< of the instants
+  std::vector<Instant> instants;
+};
+
+struct Pace {
+  double step;        ///< R/c
+  int steps_between;  ///< two instants
+};
+
+/// True of a run that went through: the wall was not too stiff for the step.
+bool run_through(ModalDynamics dynamics, const Pace& pace, Pass& pass) {
+  const double before = std::abs(dynamics.state().velocity);
+  const double least = kTail * 0.5 * before * before * dynamics.system().wall.a();
+  const auto points = static_cast<double>(dynamics.system().modes->arm.rows());
+  const double most =
+      kStiffestOfPass / (dynamics.system().wall.a() * pace.step * pace.step * points);
+  const double interval = pace.step * pace.steps_between;
+  pass = {};
+  for (int steps = 0; dynamics.state().velocity < 0.0 || dynamics.force() > least; ++steps) {
+    if (steps > kMostSteps || !(dynamics.largest_force() < most)) return false;
+    pass.largest_force = std::max(pass.largest_force, dynamics.force());
+    const bool is_instant = steps % pace.steps_between == 0 && dynamics.force() > least;
+    if (is_instant) {
+      if (pass.instants.empty()) pass.begin = dynamics.time();
+      pass.instants.push_back(
+          {dynamics.state(), dynamics.contact_forces(), dynamics.angular_acceleration()});
+    }
+    const Eigen::VectorXd before_it = dynamics.middle_rates();
+    dynamics.step();
+    if (is_instant) pass.instants.back().state.rates = 0.5 * (before_it + dynamics.middle_rates());
+  }
+  pass.velocity = dynamics.state().velocity;
+  pass.spin = dynamics.spin();
+  const auto is_weak = [&](const Instant& instant) {
+    return instant.contact_forces.sum() < kLeastForce * pass.largest_force;
+  };
+  const auto first = std::find_if_not(pass.instants.begin(), pass.instants.end(), is_weak);
+  pass.begin += interval * static_cast<double>(first - pass.instants.begin());
+  pass.instants.erase(pass.instants.begin(), first);
+  while (!pass.instants.empty() && is_weak(pass.instants.back())) pass.instants.pop_back();
+  return !pass.instants.empty();
+}
+
+/// The amplitudes of all instants.
+Eigen::MatrixXd joined(const std::vector<Instant>& instants) {
+  Eigen::MatrixXd all(instants.front().state.amplitudes.size(),
+                      static_cast<Eigen::Index>(instants.size()));
+  for (Eigen::Index k = 0; k < all.cols(); ++k) {
+    all.col(k) = instants[static_cast<std::size_t>(k)].state.amplitudes;
+  }
+  return all;
+}
+
+/// By a right angle.
+Eigen::VectorXd turned(const Eigen::VectorXd& u) {
+  const Eigen::Index n = u.size() / 2;
+  Eigen::VectorXd result(u.size());
+  result << -u.tail(n), u.head(n);
+  return result;
+}
+
+/// Forces on all points, as seen from the body.
+class AllForces {
+ public:
+  AllForces(const ModalSystem& system, const ForceField& field)
+      : modes_(*system.modes), bonds_(field.bonds) {
+    field.resize(position_);
+    field.resize(force_);
+  }
+
+  /// Of the bonds, without damping, at displacements.
+  Eigen::VectorXd elastic(const Eigen::VectorXd& u) {
+    position_.reshaped() = modes_.arm.reshaped() + u.array();
+    bonds_.evaluate_elastic(position_, force_);
+    return force_.reshaped().matrix();
+  }
+
+  /// Of the damping, at velocities.
+  Eigen::VectorXd damping(const Eigen::VectorXd& velocity) {
+    position_.reshaped() = velocity.array();
+    bonds_.evaluate_damping(position_, force_);
+    return force_.reshaped().matrix();
+  }
+
+  /// Of the wall.
+  Eigen::VectorXd wall(const Instant& instant) const {
+    const Eigen::Index n = modes_.arm.rows();
+    const double angle = instant.state.amplitudes(0) / std::sqrt(modes_.inertia);
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * n);
+    for (std::size_t k = 0; k < modes_.points.size(); ++k) {
+      const double size = instant.contact_forces(static_cast<Eigen::Index>(k));
+      forces(modes_.points[k]) = size * std::sin(angle);
+      forces(n + modes_.points[k]) = size * std::cos(angle);
+    }
+    return forces;
+  }
+
+ private:
+  const BulkModes& modes_;
+  BondForces bonds_;
+  PointArray position_;
+  PointArray force_;
+};
+
+/// The forces on the modes that a frame which turns adds, with those of the damping of what turns.
+Eigen::VectorXd forces_of_turning(const ModalSystem& system, const Instant& instant) {
+  const BulkModes& modes = *system.modes;
+  const double spin = instant.state.rates(0) / std::sqrt(modes.inertia);
+  Eigen::VectorXd amplitudes = instant.state.amplitudes;
+  Eigen::VectorXd rates = instant.state.rates;
+  amplitudes(0) = rates(0) = 0.0;
+  const Eigen::VectorXd across = modes.turning * amplitudes;
+  return spin * spin * (modes.reach + amplitudes) - instant.angular_acceleration * across -
+         spin * (2.0 * modes.turning * rates + system.law.eta * (modes.damping * across));
+}
+
+/// The defect on the modes. On the rotation the model has the torque of the wall at the lever arms
+/// of the displaced points, which the bonds give anew.
+ForceCourse defect(const ModalSystem& system, const ForceField& field, const Pass& pass,
+                   const Pace& pace) {
+  const BulkModes& modes = *system.modes;
+  const Eigen::MatrixXd amplitudes = joined(pass.instants);
+  const Eigen::MatrixXd u = elastic_displacements(modes, amplitudes);
+  AllForces all(system, field);
+  Eigen::MatrixXd elastic(u.rows(), u.cols());
+  Eigen::MatrixXd others(amplitudes.rows(), u.cols());
+  for (Eigen::Index k = 0; k < u.cols(); ++k) {
+    const Instant& instant = pass.instants[static_cast<std::size_t>(k)];
+    elastic.col(k) = all.elastic(u.col(k));
+    others.col(k) = forces_of_turning(system, instant) +
+                    system.law.k_a * modes.stiffness.cwiseProduct(amplitudes.col(k));
+    others(0, k) -= turned(u.col(k)).dot(all.wall(instant)) / std::sqrt(modes.inertia);
+  }
+  others.noalias() += modes.shapes.transpose() * elastic;
+  return {pass.begin, pace.step * pace.steps_between, std::move(others)};
+}
+
+/// w = K⁺ r of forces r, and rᵀ w.
+struct Response {
+  Eigen::VectorXd displacements;
+  double twice_energy;
+};
+
+Response response_to(const Eigen::VectorXd& forces, double k_a, Compliance& compliance) {
+  PointArray load = PointArray::Zero(forces.size(), 2);
+  load.col(0) = forces.array();
+  compliance.respond(load);
+  Eigen::VectorXd displacements = load.col(0).matrix() / k_a;
+  const double energy = forces.dot(displacements);
+  return {std::move(displacements), energy};
+}
+
+/// Twice the energy of the response to the forces outside the space of modes, M c². What bonds that
+/// respond are beyond linear ones has a response in turn, and so on: a geometric series, as long as
+/// that shrinks.
+double twice_energy_outside(const ModalSystem& system, const ForceField& field,
+                            Compliance& compliance, const Instant& instant) {
+  const BulkModes& modes = *system.modes;
+  AllForces all(system, field);
+  const Eigen::VectorXd u = elastic_displacements(modes, instant.state.amplitudes);
+  const Eigen::VectorXd elastic = all.elastic(u);
+  Eigen::VectorXd rest = all.wall(instant) + elastic;
+  if (field.bonds.damped()) rest += all.damping(modes.shapes * instant.state.rates);
+  rest -= field.point_mass * (modes.shapes * (modes.shapes.transpose() * rest));
+  for (auto along : {rest.head(rest.size() / 2), rest.tail(rest.size() / 2)}) {
+    along.array() -= along.mean();
+  }
+  const bool is_rounding = rest.norm() < kRounding * elastic.norm();
+  const Response first = response_to(rest, system.law.k_a, compliance);
+  if (is_rounding) return first.twice_energy;
+  const Response second = response_to(all.elastic(u + first.displacements) - elastic + rest,
+                                      system.law.k_a, compliance);
+  const double ratio = std::sqrt(second.twice_energy / first.twice_energy);
+  return ratio < 1.0 ? first.twice_energy / std::pow(1.0 - ratio, 2) : kInfinity;
+}
+
+/// Of points that are not among those in contact.
+double energy_of_others(const ModalSystem& system, const Instant& instant) {
+  const BulkModes& modes = *system.modes;
+  const Eigen::Index n = modes.arm.rows();
+  const Eigen::VectorXd u = elastic_displacements(modes, instant.state.amplitudes);
+  const double angle = instant.state.amplitudes(0) / std::sqrt(modes.inertia);
+  Eigen::ArrayXd height = instant.state.height +
+                          std::sin(angle) * (modes.arm.col(0) + u.head(n).array()) +
+                          std::cos(angle) * (modes.arm.col(1) + u.tail(n).array());
+  for (const std::int32_t point : modes.points) height(point) = kInfinity;
+  return system.wall.potential_at(0.0) * (-system.wall.a() * height).exp().sum();
+}
+
+/// Some of those at which the force is at least a tenth of the greatest.
+std::vector<std::size_t> strongest(const Pass& pass) {
+  std::vector<std::size_t> strong;
+  for (std::size_t k = 0; k < pass.instants.size(); ++k) {
+    if (pass.instants[k].contact_forces.sum() > kStrong * pass.largest_force) strong.push_back(k);
+  }
+  const std::size_t stride = (strong.size() + kMostStrong - 1) / kMostStrong;
+  std::vector<std::size_t> some;
+  for (std::size_t k = 0; k < strong.size(); k += stride) some.push_back(strong[k]);
+  return some;
+}
+
+/// Of what is left out at the strongest instants, over the energy that is left.
+double part_outside(const ModalSystem& system, const ForceField& field, Compliance& compliance,
+                    const Pass& pass) {
+  double most = 0.0;
+  for (const std::size_t k : strongest(pass)) {
+    const Instant& instant = pass.instants[k];
+    most = std::max(most, twice_energy_outside(system, field, compliance, instant) +
+                              2.0 * energy_of_others(system, instant));
+  }
+  return kMarginOfSpace * most / (pass.velocity * pass.velocity);
+}
+
+/// Of the answers of two passes, one after the other.
+struct Change {
+  double restitution = 0.0;
+  double spin = 0.0;
+  double force = 0.0;
+};
+
+Change change_of(const Pass& before, const Pass& after) {
+  return {std::abs(after.velocity / before.velocity - 1.0), std::abs(after.spin - before.spin),
+          std::abs(after.largest_force / before.largest_force - 1.0)};
+}
+
+/// Repeated passes, each with the defect of the one before it.
+class Iteration {
+ public:
+  Iteration(const ModalSystem& system, const ForceField& field, const State& start)
+      : field_(field),
+        pace_{kWayOfStep / (system.wall.a() * std::abs(start.velocity.col(1).mean())),
+              static_cast<int>(std::lround(kWayOfInstants / kWayOfStep))},
+        dynamics_(system, modal_state(*system.modes, start), pace_.step) {}
+
+  /// The pass without a correction, with a step for which the wall is not too stiff. False: none.
+  bool begin() {
+    for (int halvings = 0; halvings < kMostHalvings; ++halvings) {
+      if (run_through(dynamics_, pace_, pass_)) return true;
+      pace_.step *= 0.5;
+      pace_.steps_between *= 2;
+      dynamics_.set_step(pace_.step);
+    }
+    return false;
+  }
+
+  /// False if the corrected body does not come back.
+  bool improve() {
+    dynamics_.set_correction(
+        std::make_shared<const ForceCourse>(defect(dynamics_.system(), field_, pass_, pace_)));
+    const Pass before = std::exchange(pass_, {});
+    if (!run_through(dynamics_, pace_, pass_)) return false;
+    const Change change = change_of(before, pass_);
+    if (++corrections_ == 1) first_ = change;
+    before_ = std::exchange(latest_, change);
+    return true;
+  }
+
+  /// Of e, what the iteration leaves; infinite if that is not known.
+  double rest() const { return rest_of(&Change::restitution); }
+
+  ModelError left_out(Compliance& compliance) const {
+    const double outside = part_outside(dynamics_.system(), field_, compliance, pass_);
+    const double impulse = pass_.velocity - dynamics_.state().velocity;
+    return {rest() + kMismatch * first_.restitution + outside,
+            rest_of(&Change::spin) + kMismatch * first_.spin +
+                outside * impulse / dynamics_.system().modes->inertia,
+            rest() + rest_of(&Change::force) + std::sqrt(outside)};
+  }
+  std::shared_ptr<const ForceCourse> correction() const { return dynamics_.system().correction; }
+
+ private:
+  /// A single change may be small by chance.
+  double rest_of(double Change::*number) const {
+    if (corrections_ < 2) return kInfinity;
+    const double latest = latest_.*number;
+    const double before = before_.*number;
+    if (latest == 0.0) return kByChance * before;
+    if (latest >= before) return kInfinity;
+    return std::max(
+        {latest * latest / (before - latest), kMarginOfLatest * latest, kByChance * before});
+  }
+
+  const ForceField& field_;
+  Pace pace_;
+  ModalDynamics dynamics_;  ///< at the start
+  Pass pass_;
+  int corrections_ = 0;
+  Change first_;
+  Change before_;
+  Change latest_;
+};
+
+}  // namespace
+
+Eigen::MatrixXd elastic_displacements(const BulkModes& modes, const Eigen::MatrixXd& amplitudes) {
+  const Eigen::Index elastic = amplitudes.rows() - 1;
+  return modes.shapes.rightCols(elastic) * amplitudes.bottomRows(elastic);
+}
+
+ModalState modal_state(const BulkModes& modes, const State& start) {
+  const BodyMotion motion = body_motion(start.position, start.velocity);
+  ModalState state;
+  state.height = motion.centre.y();
+  state.velocity = motion.velocity.y();
+  state.amplitudes = Eigen::VectorXd::Zero(modes.stiffness.size());
+  state.rates = Eigen::VectorXd::Zero(modes.stiffness.size());
+  return state;
+}
+
+ModalCorrection modal_correction(const ModalSystem& system, const ForceField& field,
+                                 const State& start, Compliance& compliance, double error) {
+  Iteration iteration(system, field, start);
+  bool goes_on = iteration.begin();
+  for (int k = 0; goes_on && k < kMostCorrections; ++k) {
+    goes_on = iteration.improve();
+    if (goes_on && iteration.rest() <= kNegligible * error) break;
+  }
+  if (!goes_on) return {nullptr, {kInfinity, kInfinity, kInfinity}};
+  return {iteration.correction(), iteration.left_out(compliance)};
+}
+
+}  // namespace impact

@@ -1,0 +1,77 @@
+#include "reduced/modal_dynamics.hpp"
+
+#include <Eigen/Cholesky>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace impact {
+
+void ForceCourse::add_to(Eigen::VectorXd& force, double time) const {
+  const double place = (time - begin) / interval;
+  const double last = std::floor(place);
+  const double x = place - last;
+  const std::array<double, 4> weights{
+      0.5 * x * (x * (2.0 - x) - 1.0), 0.5 * (x * x * (3.0 * x - 5.0) + 2.0),
+      0.5 * x * (x * (4.0 - 3.0 * x) + 1.0), 0.5 * x * x * (x - 1.0)};
+  for (int k = 0; k < 4; ++k) {
+    const double column = last - 1.0 + k;
+    if (column < 0.0 || column >= static_cast<double>(forces.cols())) continue;
+    force += weights[static_cast<std::size_t>(k)] * forces.col(static_cast<Eigen::Index>(column));
+  }
+}
+
+ModalDynamics::ModalDynamics(ModalSystem system, ModalState start, double step)
+    : system_(std::move(system)),
+      state_(std::move(start)),
+      root_inertia_(std::sqrt(system_.modes->inertia)),
+      stiffness_(system_.law.k_a * system_.modes->stiffness) {
+  const BulkModes& modes = *system_.modes;
+  const Eigen::Index n = modes.arm.rows();
+  arm_ = modes.arm(modes.points, Eigen::all);
+  along_x_ = modes.shapes.topRows(n)(modes.points, Eigen::all);
+  along_y_ = modes.shapes.bottomRows(n)(modes.points, Eigen::all);
+  along_x_.col(0).setZero();
+  along_y_.col(0).setZero();
+  middle_ = state_.rates;
+  set_step(step);
+  update_forces();
+}
+
+void ModalDynamics::set_step(double step) {
+  step_ = step;
+  Eigen::MatrixXd matrix = 0.5 * step * system_.law.eta * system_.modes->damping;
+  matrix.diagonal() += (1.0 + 0.25 * step * step * stiffness_.array()).matrix();
+  inverse_ = matrix.llt().solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
+}
+
+/// h D q̇½ = 2 (q̇ₙ + h Fₙ/2 − q̇½) − h² Λ q̇½/2.
+double ModalDynamics::step() {
+  kicked_ = state_.rates + 0.5 * step_ * force_;
+  middle_.noalias() = inverse_ * kicked_;
+  damped_ = 2.0 * (kicked_ - middle_) - 0.5 * step_ * step_ * stiffness_.cwiseProduct(middle_);
+  state_.amplitudes += step_ * middle_;
+  state_.velocity += 0.5 * step_ * force();
+  state_.height += step_ * state_.velocity;
+  time_ += step_;
+  update_forces();
+  state_.velocity += 0.5 * step_ * force();
+  state_.rates = kicked_ - damped_ + 0.5 * step_ * force_;
+  return damped_.dot(middle_);
+}
+
+void ModalDynamics::update_forces() {
+  const double cos = std::cos(angle());
+  const double sin = std::sin(angle());
+  x_ = arm_.col(0) + (along_x_ * state_.amplitudes).array();
+  y_ = arm_.col(1) + (along_y_ * state_.amplitudes).array();
+  const Repulsion& wall = system_.wall;
+  contact_ = wall.force_at(0.0) * (-wall.a() * (state_.height + sin * x_ + cos * y_)).exp();
+  force_.noalias() = along_y_.transpose() * (cos * contact_);
+  force_.noalias() += along_x_.transpose() * (sin * contact_);
+  force_ -= stiffness_.cwiseProduct(state_.amplitudes);
+  force_(0) = contact_.dot((cos * x_ - sin * y_).matrix()) / root_inertia_;
+  if (system_.correction) system_.correction->add_to(force_, time_);
+}
+
+}  // namespace impact
