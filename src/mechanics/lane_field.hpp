@@ -15,7 +15,7 @@ namespace impact {
 class LaneVelocitySolver;
 
 /// The forces of kLanes runs of one lattice, as ForceField has them for one, at a potential wall
-/// or against points, with damping only against disks. Every run has constants of its own. A bond
+/// or against points. Every run has constants of its own. A bond
 /// is evaluated once, in all lanes at a time. The forces of each run are those of ForceField to the
 /// last bit, whatever is in the other lanes.
 class LaneField {
