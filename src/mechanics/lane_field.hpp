@@ -53,6 +53,15 @@ class LaneField {
   LaneLosses evaluate(const LaneArray& position, const LaneArray& velocity, LaneArray& force);
   void evaluate_undamped(const LaneArray& position, LaneArray& force);
 
+  template <class Place, class Use>
+  void evaluate_undamped(const LaneArray& position, LaneArray& force, const Place& place,
+                         const Use& use) {
+    const PointRows all{0, points_};
+    place(all);
+    evaluate_undamped(position, force);
+    use(all);
+  }
+
   bool damped() const { return kind_.damped; }
   void resize(LaneArray& points) const { points.resize(points_); }
   /// There is no boundary.
