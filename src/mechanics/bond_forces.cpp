@@ -71,7 +71,8 @@ PartsNeeded BondForces::parts_needed(const Table& table) {
     const auto part_number = static_cast<Eigen::Index>(part);
     const PointRows rows = rows_of_part(part_number, table.points);
     const auto place_of = [&](Eigen::Index slice) {
-      return table.end.begin() + kSlice * table.begin[static_cast<std::size_t>(slice)];
+      return table.end.begin() +
+             Eigen::Index{kSlice} * table.begin[static_cast<std::size_t>(slice)];
     };
     const auto [least, most] = std::minmax_element(place_of(rows.first / kSlice),
                                                    place_of(whole_slices(rows.first + rows.size)));
