@@ -26,10 +26,13 @@ inline PointRows rows_of_part(Eigen::Index part, Eigen::Index points) {
   return {first, std::min<Eigen::Index>(kPart, points - first)};
 }
 
+/// On how many threads loops over so many parts are shared out; 0: on all.
+inline int threads_for(Eigen::Index parts) { return parts < kFewestParts ? 1 : threads_in_a_run(); }
+
 /// Calls work(0) … work(count − 1), on several threads where there are so many parts.
 template <class Work>
 void share_out_in_run(Eigen::Index count, Eigen::Index parts, const Work& work) {
-  const int threads = parts < kFewestParts ? 1 : threads_in_a_run();
+  const int threads = threads_for(parts);
   if (threads == 1) {
     for (Eigen::Index k = 0; k < count; ++k) work(k);
   } else {
@@ -63,7 +66,7 @@ template <class Place, class Work>
 void in_passing(Eigen::Index parts, const PartsNeeded& needed, const Place& place,
                 const Work& work) {
   constexpr Eigen::Index kStretches = 16;
-  const Eigen::Index stretches = parts < kFewestParts || threads_in_a_run() == 1 ? 1 : kStretches;
+  const Eigen::Index stretches = threads_for(parts) == 1 ? 1 : kStretches;
   const auto begin_of = [&](Eigen::Index stretch) { return parts * stretch / stretches; };
   const auto needed_from = [&](Eigen::Index joint) {
     const Eigen::Index part = begin_of(joint);

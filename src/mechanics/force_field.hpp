@@ -114,7 +114,7 @@ struct ForceField {
   Losses evaluate_damping(const PointArray& velocity, PointArray& force);
 
   /// The entries of the matrix D of the damping forces −D v along one axis (0: x, 1: y), in M c/R:
-  /// those of the bonds and of a viscous boundary, those of one place to be added up. PointRows and
+  /// those of the bonds and of a viscous boundary, those of one place to be added up. Rows and
   /// columns of supported coordinates are empty.
   MatrixEntries damping(int axis) const;
 

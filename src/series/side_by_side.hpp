@@ -23,8 +23,8 @@ struct SeriesOutcome {
   bool in_lanes = false;  ///< whether any were
 };
 
-/// Whether it is worthwhile to ask LaneField::knows() of the scene: an impact by a
-/// method of fixed step, of bodies of one material and without dashpots; or a static solution.
+/// Whether it is worthwhile to ask LaneField::knows() of the scene: an impact by a method of fixed
+/// step, of bodies of one material and without dashpots; or a static solution.
 bool may_be_in_lanes(const Scene& scene);
 
 /// The bodies of scenes of the same bodies, with all of the spectrum that one of them needs.
