@@ -43,8 +43,13 @@ typename Field::Losses BasicBlanesMoan<Field>::step(Field& field, State& state,
                                                     typename Field::Step h) {
   const typename Field::Number h_by_mass = h / field.point_mass;
   for (std::size_t i = 0; i < kDrifts; ++i) {
-    kick_and_drift(kKick[i] * h_by_mass, force_, kDrift[i] * h, state.velocity, state.position);
-    field.evaluate(state.position, state.velocity, force_);
+    field.evaluate_undamped(
+        state.position, force_,
+        [&](const PointRows& rows) {
+          kick_and_drift(rows, kKick[i] * h_by_mass, force_, kDrift[i] * h, state.velocity,
+                         state.position);
+        },
+        [](const PointRows& /*rows*/) {});
   }
   kick(kKick[kDrifts] * h_by_mass, force_, state.velocity);
   return {};

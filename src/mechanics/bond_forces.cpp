@@ -5,16 +5,12 @@
 #include <numeric>
 #include <utility>
 
-#include "kernels/in_parts.hpp"
-
 namespace impact {
 
 namespace {
 
 /// Where the pair of a point begins.
 std::int32_t pair_of(std::int32_t point) { return 2 * point; }
-
-Eigen::Index whole_slices(Eigen::Index points) { return (points + kSlice - 1) / kSlice; }
 
 }  // namespace
 
@@ -63,7 +59,32 @@ std::shared_ptr<const BondForces::Table> BondForces::table_of(const Lattice& lat
     enter(bond.first, bond.second, lattice.natural_lengths[k]);
     enter(bond.second, bond.first, lattice.natural_lengths[k]);
   }
+  table->needed = parts_needed(*table);
   return table;
+}
+
+PartsNeeded BondForces::parts_needed(const Table& table) {
+  const auto parts = static_cast<std::size_t>(parts_of(table.points));
+  const auto last = static_cast<std::int32_t>(table.points - 1);  // empty places may lie behind it
+  PartsNeeded needed{std::vector<Eigen::Index>(parts), std::vector<Eigen::Index>(parts)};
+  for (std::size_t part = 0; part < parts; ++part) {
+    const auto part_number = static_cast<Eigen::Index>(part);
+    const PointRows rows = rows_of_part(part_number, table.points);
+    const auto place_of = [&](Eigen::Index slice) {
+      return table.end.begin() +
+             Eigen::Index{kSlice} * table.begin[static_cast<std::size_t>(slice)];
+    };
+    const auto [least, most] = std::minmax_element(place_of(rows.first / kSlice),
+                                                   place_of(whole_slices(rows.first + rows.size)));
+    needed.begin[part] = std::min<Eigen::Index>(*least / 2 / kPart, part_number);
+    needed.end[part] = std::max<Eigen::Index>(std::min(*most / 2, last) / kPart, part_number) + 1;
+  }
+  for (std::size_t part = 1; part < parts; ++part) {
+    needed.end[part] = std::max(needed.end[part], needed.end[part - 1]);
+    const std::size_t other = parts - 1 - part;
+    needed.begin[other] = std::min(needed.begin[other], needed.begin[other + 1]);
+  }
+  return needed;
 }
 
 BondForces BondForces::of_two_laws(BondForces first, BondForces second) {
@@ -77,12 +98,20 @@ BondForces BondForces::with(const BondLaw& law) const {
   return changed;
 }
 
-void BondForces::pair_up(const PointArray& points, Aligned<double>& pairs) const {
+void BondForces::make_room(Aligned<double>& pairs) const {
   pairs.resize(static_cast<std::size_t>(Eigen::Index{2} * kSlice * table_->slices()), 0.0);
-  const double* const x = points.data();
-  const double* const y = x + points.rows();
+}
+
+void BondForces::pair_up(const PointArray& points, const PointRows& rows,
+                         Aligned<double>& pairs) const {
+  kernels_->pair_up(&points(rows.first, 0), &points(rows.first, 1), rows.size,
+                    pairs.data() + 2 * rows.first);
+}
+
+void BondForces::pair_up(const PointArray& points, Aligned<double>& pairs) const {
+  make_room(pairs);
   in_parts(table_->points, [&](Eigen::Index /*part*/, Eigen::Index first, Eigen::Index size) {
-    kernels_->pair_up(x + first, y + first, size, pairs.data() + 2 * first);
+    pair_up(points, {first, size}, pairs);
   });
 }
 
@@ -92,6 +121,17 @@ BondKernel BondForces::kernel(const PointArray* position, const PointArray* velo
   const bool cubic = law_.k_b != 0.0;
   if (velocity != nullptr) return cubic ? kernels_->cubic_damped : kernels_->linear_damped;
   return cubic ? kernels_->cubic : kernels_->linear;
+}
+
+BondEvaluation BondForces::evaluation_of(PointArray& force) const {
+  return {{table_->begin.data(), table_->end.data(), table_->natural_length.data()},
+          law_.k_a,
+          law_.k_b,
+          law_.eta,
+          force.rows(),
+          position_pairs_.data(),
+          velocity_pairs_.data(),
+          force.data()};
 }
 
 /// What the last slice writes behind the first body's rows is overwritten by the second's.
@@ -104,15 +144,7 @@ double BondForces::evaluate_first(const PointArray* position, const PointArray* 
   }
   if (position != nullptr) pair_up(*position, position_pairs_);
   if (velocity != nullptr) pair_up(*velocity, velocity_pairs_);
-  const BondEvaluation evaluation{
-      {table_->begin.data(), table_->end.data(), table_->natural_length.data()},
-      law_.k_a,
-      law_.k_b,
-      law_.eta,
-      force.rows(),
-      position_pairs_.data(),
-      velocity_pairs_.data(),
-      force.data()};
+  const BondEvaluation evaluation = evaluation_of(force);
   static_assert(kPart % kSlice == 0);
   in_parts(table_->points, [&](Eigen::Index part, Eigen::Index first, Eigen::Index size) {
     part_sums_[static_cast<std::size_t>(part)] =

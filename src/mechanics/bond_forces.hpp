@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "kernels/in_parts.hpp"
 #include "kernels/kernels.hpp"
 #include "lattice/lattice.hpp"
 
@@ -46,6 +47,29 @@ class BondForces {
   /// The same without damping.
   void evaluate_elastic(const PointArray& position, PointArray& force) {
     evaluate_all(&position, nullptr, force);
+  }
+
+  /// The same of bodies of one law, in passing: place(rows) is called for rows of points before
+  /// their positions, which it may change, are read and their forces are overwritten, and
+  /// use(part, rows) once their forces are there. See in_passing().
+  template <class Place, class Use>
+  void evaluate_elastic(const PointArray& position, PointArray& force, const Place& place,
+                        const Use& use) {
+    make_room(position_pairs_);
+    const BondEvaluation evaluation = evaluation_of(force);
+    in_passing(
+        parts_of(table_->points), table_->needed,
+        [&](Eigen::Index part) {
+          const PointRows rows = rows_of_part(part, table_->points);
+          place(rows);
+          pair_up(position, rows, position_pairs_);
+        },
+        [&](Eigen::Index part) {
+          const PointRows rows = rows_of_part(part, table_->points);
+          kernel(&position, nullptr)(evaluation, rows.first / kSlice,
+                                     whole_slices(rows.first + rows.size));
+          use(part, rows);
+        });
   }
 
   /// The forces of the damping alone, overwritten, and the power that it dissipates.
@@ -98,9 +122,12 @@ class BondForces {
     std::vector<std::int32_t> begin;
     Aligned<std::int32_t> end;
     Aligned<double> natural_length;
+    PartsNeeded needed;
     Eigen::Index slices() const { return static_cast<Eigen::Index>(begin.size()) - 1; }
   };
   static std::shared_ptr<const Table> table_of(const Lattice& lattice);
+  static PartsNeeded parts_needed(const Table& table);
+  static Eigen::Index whole_slices(Eigen::Index points) { return (points + kSlice - 1) / kSlice; }
 
   /// Calls use(i, j, natural length) for each bond of each point i in these rows, of the first body
   /// or those of its law.
@@ -115,8 +142,11 @@ class BondForces {
   double evaluate_first(const PointArray* position, const PointArray* velocity, PointArray& force);
   double evaluate_second(const PointArray* position, const PointArray* velocity, PointArray& force);
   BondKernel kernel(const PointArray* position, const PointArray* velocity) const;
+  BondEvaluation evaluation_of(PointArray& force) const;
   bool first_is_damped() const { return law_.eta != 0.0; }
-  /// Takes memory for the pairs where there are none yet.
+  void make_room(Aligned<double>& pairs) const;
+  void pair_up(const PointArray& points, const PointRows& rows, Aligned<double>& pairs) const;
+  /// All of them, with room for them where there is none yet.
   void pair_up(const PointArray& points, Aligned<double>& pairs) const;
 
   BondLaw law_;

@@ -39,6 +39,14 @@ void ForceField::evaluate_undamped(const PointArray& position, PointArray& force
   for_each_term([&](auto& term) { term.constrain(force); });
 }
 
+bool ForceField::has_local_terms() const {
+  bool local = !bonds.has_two_laws();
+  for_each_term([&](const auto& term) {
+    local = local && std::is_same_v<std::decay_t<decltype(term)>, PotentialWall>;
+  });
+  return local;
+}
+
 MatrixEntries ForceField::damping(int axis) const {
   MatrixEntries entries = bonds.damping();
   for_each_term([&](const auto& term) { term.add_damping(axis, entries); });

@@ -83,6 +83,33 @@ struct ForceField {
   /// The same without damping: the force on points at rest.
   void evaluate_undamped(const PointArray& position, PointArray& force);
 
+  /// The same in one pass through the points where the field allows it: place(rows) is called for
+  /// rows of points before their positions, which it may change, are read and their forces are
+  /// overwritten, and use(rows) once their forces are there; on several threads at a time.
+  template <class Place, class Use>
+  void evaluate_undamped(const PointArray& position, PointArray& force, const Place& place,
+                         const Use& use) {
+    if (!has_local_terms()) {
+      const auto all = [&](const auto& work) {
+        in_parts(position.rows(),
+                 [&](Eigen::Index /*part*/, Eigen::Index first, Eigen::Index size) {
+                   work(PointRows{first, size});
+                 });
+      };
+      all(place);
+      evaluate_undamped(position, force);
+      all(use);
+      return;
+    }
+    ++evaluations;
+    if (wall) wall->begin_parts(position.rows());
+    bonds.evaluate_elastic(position, force, place, [&](Eigen::Index part, const PointRows& rows) {
+      if (wall) wall->add_forces_of_part(part, rows, position, force);
+      use(rows);
+    });
+    if (wall) wall->sum_up();
+  }
+
   /// The damping forces alone, −D v, overwritten. Returns the powers lost.
   Losses evaluate_damping(const PointArray& velocity, PointArray& force);
 
@@ -152,6 +179,8 @@ struct ForceField {
   std::vector<std::string> terms() const;
 
  private:
+  /// Whether no force on a point depends on others than those that it has bonds with.
+  bool has_local_terms() const;
   void add_damping_of_terms(const PointArray& velocity, PointArray& force, Losses& power) const;
   void enter_free(const Body& body, const impact::State& state, EnergyLedger& ledger) const;
 

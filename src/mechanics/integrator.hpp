@@ -52,15 +52,22 @@ using Integrator = BasicIntegrator<ForceField>;
 template <class Field>
 class FixedStepIntegrator : public BasicIntegrator<Field> {
  public:
-  /// Takes over one run from an integrator of the same kind that was restarted with it in the same
-  /// lane.
-  void take_lane(const FixedStepIntegrator& other, int lane) {
-    force_.lane(lane) = other.force_.lane(lane);
-    power_.dissipated(lane) = other.power_.dissipated(lane);
-    power_.absorbed(lane) = other.power_.absorbed(lane);
+  /// Of lanes: takes over a run from an integrator of the same kind that has it alone.
+  void take_lane(int lane, const FixedStepIntegrator<ForceField>& alone) {
+    force_.lane(lane) = alone.force_;
+    power_.dissipated(lane) = alone.power_.dissipated;
+    power_.absorbed(lane) = alone.power_.absorbed;
+  }
+  /// Gives it back.
+  void give_lane(int lane, FixedStepIntegrator<ForceField>& alone) const {
+    alone.force_ = force_.lane(lane);
+    alone.power_ = {power_.dissipated(lane), power_.absorbed(lane)};
   }
 
  protected:
+  template <class Other>
+  friend class FixedStepIntegrator;
+
   typename Field::Points force_;
   typename Field::Losses power_;  ///< lost by that force, M c³/R
 };

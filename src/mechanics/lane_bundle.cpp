@@ -5,14 +5,15 @@
 
 namespace impact {
 
-LaneMotion::LaneMotion(ForceField field, State initial, const Spectrum& spectrum, double step)
-    : Motion(std::move(field), std::move(initial), spectrum, step) {
-  PointArray force(state_.position.rows(), 2);
-  field_.evaluate(state_.position, state_.velocity, force);
-}
+LaneMotion::LaneMotion(ForceField field, State initial, const Spectrum& spectrum, double step,
+                       std::unique_ptr<FixedStepIntegrator<ForceField>> integrator)
+    : Simulation(std::move(field), std::move(initial), spectrum, step, std::move(integrator)),
+      alone_(static_cast<FixedStepIntegrator<ForceField>*>(integrator_.get())) {}
 
-LaneMotion::~LaneMotion() {
-  if (bundle_ != nullptr) bundle_->leave(*this);
+LaneMotion::~LaneMotion() { leave(); }
+
+void LaneMotion::leave() {
+  if (bundle_ != nullptr) bundle_->release(*this);
 }
 
 const State& LaneMotion::state() const {
@@ -26,10 +27,10 @@ double LaneMotion::kinetic_energy() const {
 }
 
 LaneBundle::LaneBundle(const Lattice& lattice, double point_mass, LaneField::Kind kind,
-                       const MakeIntegrator& make_integrator, bool needs_common_step)
+                       std::unique_ptr<FixedStepIntegrator<LaneField>> integrator,
+                       bool needs_common_step)
     : field_(lattice, point_mass, kind),
-      integrator_(make_integrator()),
-      beginner_(make_integrator()),
+      integrator_(std::move(integrator)),
       needs_common_step_(needs_common_step) {
   field_.resize(state_.position);
   field_.resize(state_.velocity);
@@ -38,7 +39,7 @@ LaneBundle::LaneBundle(const Lattice& lattice, double point_mass, LaneField::Kin
 
 LaneBundle::~LaneBundle() {
   for (LaneMotion* const motion : motions_) {
-    if (motion != nullptr) leave(*motion);
+    if (motion != nullptr) motion->leave();
   }
 }
 
@@ -48,8 +49,7 @@ void LaneBundle::add(LaneMotion& motion) {
   field_.set_lane(lane, motion.field_);
   state_.position.lane(lane) = motion.state_.position;
   state_.velocity.lane(lane) = motion.state_.velocity;
-  beginner_->restart(field_, state_);
-  integrator_->take_lane(*beginner_, lane);
+  integrator_->take_lane(lane, *motion.alone_);
 
   motion.bundle_ = this;
   motion.lane_ = lane;
@@ -58,8 +58,9 @@ void LaneBundle::add(LaneMotion& motion) {
   look_at_speeds();
 }
 
-void LaneBundle::leave(LaneMotion& motion) {
+void LaneBundle::release(LaneMotion& motion) {
   motion.LaneMotion::state();  // also at the end of its life
+  integrator_->give_lane(motion.lane_, *motion.alone_);
   motion.bundle_ = nullptr;
   motions_[static_cast<std::size_t>(motion.lane_)] = nullptr;
   step_size_(motion.lane_) = 0.0;
@@ -73,7 +74,7 @@ void LaneBundle::step() {
     const int halvings = motion->halvings();
     motion->limit_step(*motion->field_.contact(), motion->approach_, *integrator_);
     step_size_(motion->lane_) = motion->step_size();
-    if (needs_common_step_ && motion->halvings() > halvings) leave(*motion);
+    if (needs_common_step_ && motion->halvings() > halvings) motion->leave();
   }
   if (occupied_ == 0) return;
   const std::uint64_t evaluations = field_.evaluations;
@@ -97,10 +98,18 @@ void LaneBundle::take_step(LaneMotion& motion, const LaneLosses& lost, std::uint
   }
   motion.is_current_ = false;
   motion.count_step({lost.dissipated(lane), lost.absorbed(lane)});
-  if (motion.reset_is_due()) {
-    motion.losses_.absorbed +=
-        field.velocity_reset->apply(state_.velocity.lane(lane), field.point_mass);
-  }
+  if (motion.reset_is_due()) reset_velocities(motion);
+}
+
+void LaneBundle::reset_velocities(LaneMotion& motion) {
+  const int lane = motion.lane_;
+  motion.losses_.absorbed +=
+      motion.field_.velocity_reset->apply(state_.velocity.lane(lane), field_.point_mass);
+  if (!field_.damped()) return;
+  motion.LaneMotion::state();
+  integrator_->give_lane(lane, *motion.alone_);
+  motion.alone_->take_velocity(motion.field_, motion.state_);
+  integrator_->take_lane(lane, *motion.alone_);
 }
 
 void LaneBundle::look_at_speeds() {

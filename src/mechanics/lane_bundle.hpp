@@ -1,34 +1,39 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <memory>
 
 #include "mechanics/integrator.hpp"
 #include "mechanics/lane_field.hpp"
-#include "mechanics/motion.hpp"
+#include "mechanics/simulation.hpp"
 
 namespace impact {
 
 class LaneBundle;
 
-/// A motion that goes on in a lane of a bundle. Off the bundle it stands still.
-class LaneMotion : public Motion {
+/// A motion that goes on by itself or, while it is there, in a lane of a bundle.
+class LaneMotion : public Simulation {
  public:
-  /// As Simulation, of a field that lanes know, see LaneField::knows().
-  LaneMotion(ForceField field, State initial, const Spectrum& spectrum, double step);
+  /// Of a field that lanes know, see LaneField::knows().
+  LaneMotion(ForceField field, State initial, const Spectrum& spectrum, double step,
+             std::unique_ptr<FixedStepIntegrator<ForceField>> integrator);
   LaneMotion(const LaneMotion&) = delete;
   LaneMotion& operator=(const LaneMotion&) = delete;
   /// Leaves the bundle.
   ~LaneMotion() override;
 
   bool is_in_bundle() const { return bundle_ != nullptr; }
+  /// A step off the bundle.
+  using Simulation::step;
+  /// Leaves the bundle, if it is in one.
+  void leave();
   const State& state() const override;
   double kinetic_energy() const override;
 
  private:
   friend class LaneBundle;
 
+  FixedStepIntegrator<ForceField>* alone_;
   LaneBundle* bundle_ = nullptr;
   int lane_ = 0;
   double approach_ = 0.0;           ///< as Simulation::approach_speed()
@@ -40,12 +45,11 @@ class LaneMotion : public Motion {
 /// is changed by the others in the slightest, however they come and go.
 class LaneBundle {
  public:
-  using MakeIntegrator = std::function<std::unique_ptr<FixedStepIntegrator<LaneField>>()>;
-
-  /// `lattice`: of the disk and, after it, an elastic wall. `needs_common_step`: whether the
-  /// integrator takes the same step and damping for granted in all lanes.
+  /// `lattice`: of the disk and, after it, an elastic wall. The integrator is of the kind that the
+  /// motions have. `needs_common_step`: whether the
+  /// integrator takes the same step, damping and supports for granted in all lanes.
   LaneBundle(const Lattice& lattice, double point_mass, LaneField::Kind kind,
-             const MakeIntegrator& make_integrator, bool needs_common_step);
+             std::unique_ptr<FixedStepIntegrator<LaneField>> integrator, bool needs_common_step);
   LaneBundle(const LaneBundle&) = delete;
   LaneBundle& operator=(const LaneBundle&) = delete;
   /// All leave, as they are.
@@ -56,7 +60,6 @@ class LaneBundle {
   /// Puts a motion in a free lane, where it stays until it leaves, to the end of its life or of
   /// the bundle's at most.
   void add(LaneMotion& motion);
-  void leave(LaneMotion& motion);
 
   /// A step of every motion in it. One whose step has to be halved, when the integrator needs a
   /// common one, leaves instead.
@@ -66,13 +69,14 @@ class LaneBundle {
   friend class LaneMotion;
 
   void take_step(LaneMotion& motion, const LaneLosses& lost, std::uint64_t evaluations);
+  void reset_velocities(LaneMotion& motion);
+  void release(LaneMotion& motion);
   void look_at_speeds();
   void read(int lane, State& state) const;
 
   LaneField field_;
   LaneState state_;
   std::unique_ptr<FixedStepIntegrator<LaneField>> integrator_;
-  std::unique_ptr<FixedStepIntegrator<LaneField>> beginner_;  ///< to begin in a single lane
   bool needs_common_step_;
   LaneNumbers step_size_ = LaneNumbers::Zero();
   std::array<LaneMotion*, kLanes> motions_{};

@@ -9,12 +9,12 @@
 namespace impact {
 
 bool LaneField::knows(const ForceField& field) {
-  // The loops of the lanes have either a potential wall or what acts by itself. Where forces depend
-  // on velocities, none of these may be changed from outside, nor supported.
-  const bool free_to_move = !field.supports && !field.velocity_reset;
+  // The loops of the lanes have either a potential wall or what acts by itself. One factor solves
+  // for x and y.
   const bool has_contact =
       field.wall ? !field.supports
-                 : (field.elastic_wall || field.disk_contacts) && (free_to_move || !field.damped());
+                 : (field.elastic_wall || field.disk_contacts) &&
+                       (!field.supports || field.supports->held(0) == field.supports->held(1));
   bool known = !field.bonds.has_two_laws();
   field.for_each_term(
       [&](const auto& term) { known = known && std::decay_t<decltype(term)>::kInLanes; });

@@ -15,7 +15,7 @@ namespace impact {
 class LaneVelocitySolver;
 
 /// The forces of kLanes runs of one lattice, as ForceField has them for one, at a potential wall
-/// or against points, with damping only against disks. Every run has constants of its own. A bond
+/// or against points. Every run has constants of its own. A bond
 /// is evaluated once, in all lanes at a time. The forces of each run are those of ForceField to the
 /// last bit, whatever is in the other lanes.
 class LaneField {
@@ -52,6 +52,15 @@ class LaneField {
   /// As in ForceField. A power is that of each run.
   LaneLosses evaluate(const LaneArray& position, const LaneArray& velocity, LaneArray& force);
   void evaluate_undamped(const LaneArray& position, LaneArray& force);
+
+  template <class Place, class Use>
+  void evaluate_undamped(const LaneArray& position, LaneArray& force, const Place& place,
+                         const Use& use) {
+    const PointRows all{0, points_};
+    place(all);
+    evaluate_undamped(position, force);
+    use(all);
+  }
 
   bool damped() const { return kind_.damped; }
   void resize(LaneArray& points) const { points.resize(points_); }

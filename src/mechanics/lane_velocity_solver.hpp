@@ -8,7 +8,7 @@
 
 namespace impact {
 
-/// As VelocitySolver, for runs in lanes that have the same damping and the same step.
+/// As VelocitySolver, for runs in lanes that have the same damping, supports and step.
 class LaneVelocitySolver {
  public:
   /// Empty lanes have the scale 0.

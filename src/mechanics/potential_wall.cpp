@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/in_parts.hpp"
-
 namespace impact {
 namespace {
 
@@ -13,13 +11,24 @@ constexpr double kReach = 60.0;  // in units of 1/a
 }  // namespace
 
 void PotentialWall::add_forces(const PointArray& position, PointArray& force) {
-  const double* const y = position.col(1).data();
-  double* const fy = force.col(1).data();
-  parts_.resize(static_cast<std::size_t>(parts_of(position.rows())));
+  begin_parts(position.rows());
   in_parts(position.rows(), [&](Eigen::Index part, Eigen::Index first, Eigen::Index size) {
-    parts_[static_cast<std::size_t>(part)] =
-        kernels().potential_wall(law(), y + first, size, fy + first);
+    add_forces_of_part(part, {first, size}, position, force);
   });
+  sum_up();
+}
+
+void PotentialWall::begin_parts(Eigen::Index points) {
+  parts_.resize(static_cast<std::size_t>(parts_of(points)));
+}
+
+void PotentialWall::add_forces_of_part(Eigen::Index part, const PointRows& rows,
+                                       const PointArray& position, PointArray& force) {
+  parts_[static_cast<std::size_t>(part)] =
+      kernels().potential_wall(law(), &position(rows.first, 1), rows.size, &force(rows.first, 1));
+}
+
+void PotentialWall::sum_up() {
   WallForce all{0.0, 0.0};
   for (const WallForce& part : parts_) {
     all.total += part.total;

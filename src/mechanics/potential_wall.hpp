@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "kernels/kernels.hpp"
+#include "kernels/in_parts.hpp"
 #include "lattice/lattice.hpp"
 #include "mechanics/contact.hpp"
 #include "mechanics/force_term.hpp"
@@ -20,6 +20,12 @@ class PotentialWall : public ForceTerm, public Contact {
   using Contact::Contact;
 
   void add_forces(const PointArray& position, PointArray& force);
+
+  // The same part by part: of each part of the points, and then of all together.
+  void begin_parts(Eigen::Index points);
+  void add_forces_of_part(Eigen::Index part, const PointRows& rows, const PointArray& position,
+                          PointArray& force);
+  void sum_up();
 
   WallLaw law() const;
 

@@ -21,11 +21,12 @@ class Simulation : public Motion {
 
   void step();
 
+ protected:
+  std::unique_ptr<Integrator> integrator_;
+
  private:
   double approach_speed() const;
   void reset_velocities();
-
-  std::unique_ptr<Integrator> integrator_;
 };
 
 }  // namespace impact

@@ -24,13 +24,18 @@ template <class Field>
 typename Field::Losses BasicTakahashiImada<Field>::step(Field& field, State& state,
                                                         typename Field::Step h) {
   const typename Field::Number half_kick = 0.5 * h / field.point_mass;
-  kick_and_drift(half_kick, force_, h, state.velocity, state.position);
-  field.evaluate(state.position, state.velocity, force_);
-
   const typename Field::Number correction = kCorrection * h * h / field.point_mass;
-  displace(correction, force_, state.position, displaced_);
-  field.evaluate(displaced_, state.velocity, force_);
-  kick(half_kick, force_, state.velocity);
+  field.evaluate_undamped(
+      state.position, force_,
+      [&](const PointRows& rows) {
+        kick_and_drift(rows, half_kick, force_, h, state.velocity, state.position);
+      },
+      [&](const PointRows& rows) {
+        displace(rows, correction, force_, state.position, displaced_);
+      });
+  field.evaluate_undamped(
+      displaced_, force_, [](const PointRows& /*rows*/) {},
+      [&](const PointRows& rows) { kick(rows, half_kick, force_, state.velocity); });
   return {};
 }
 

@@ -21,16 +21,22 @@ void BasicVelocityVerlet<Field>::take_velocity(Field& field, const State& state)
 template <class Field>
 typename Field::Losses BasicVelocityVerlet<Field>::step(Field& field, State& state,
                                                         typename Field::Step h) {
-  const bool damped = field.damped();
-  if (damped) {
-    predicted_velocity_ = state.velocity;
-    kick(h / field.point_mass, force_, predicted_velocity_);
-  }
   const typename Field::Number half_kick = 0.5 * h / field.point_mass;
+  if (!field.damped()) {
+    field.evaluate_undamped(
+        state.position, force_,
+        [&](const PointRows& rows) {
+          kick_and_drift(rows, half_kick, force_, h, state.velocity, state.position);
+        },
+        [&](const PointRows& rows) { kick(rows, half_kick, force_, state.velocity); });
+    return {};
+  }
+  predicted_velocity_ = state.velocity;
+  kick(h / field.point_mass, force_, predicted_velocity_);
   kick_and_drift(half_kick, force_, h, state.velocity, state.position);
 
   const typename Field::Losses before = power_;
-  power_ = field.evaluate(state.position, damped ? predicted_velocity_ : state.velocity, force_);
+  power_ = field.evaluate(state.position, predicted_velocity_, force_);
   kick(half_kick, force_, state.velocity);
   return {0.5 * h * (before.dissipated + power_.dissipated),
           0.5 * h * (before.absorbed + power_.absorbed)};

@@ -88,6 +88,17 @@ double kinetic_energy(const QuasiStaticContact& at_peak, const SlowImpact& impac
   return 0.5 * impact.field.point_mass * u.col(0).square().sum() * rate * rate;
 }
 
+/// What the model never lets vibrate: what the force of its course would excite, and the energy of
+/// bonds that it has at the start, where the points are in their places and the force may be there
+/// all at once.
+double energy_of_vibrations(const QuasiStaticContact& at_peak, const SlowImpact& impact) {
+  QuasiStaticContact at_start = impact.contact;
+  at_start.take(impact.poses.front());
+  return at_start.bond_energy() +
+         energy_of_vibrations(excited_modes(at_peak, impact.field.point_mass), impact.forces,
+                              impact.step);
+}
+
 }  // namespace
 
 ModelError left_out(const SlowImpact& impact) {
@@ -99,8 +110,7 @@ ModelError left_out(const SlowImpact& impact) {
   const Pose& peak = impact.poses[places.front()];
   QuasiStaticContact at_peak = impact.contact;
   at_peak.take(peak);
-  const double vibrations = energy_of_vibrations(excited_modes(at_peak, impact.field.point_mass),
-                                                 impact.forces, impact.step);
+  const double vibrations = energy_of_vibrations(at_peak, impact);
   const double energy = 0.5 * impact.speed_before * impact.speed_before;
   const double twice_left = impact.speed_after * impact.speed_after;
   const double spin = (impact.speed_before + impact.speed_after) * lever / impact.inertia;

@@ -41,7 +41,8 @@ struct SlowImpact {
 ///   Δω = (1 + e) v |Δx|/I,  Δe/e = I Δω (|ω| + Δω/2)/(e v)².
 ///
 /// Nothing vibrates. The force of the model would leave the energy E_v in vibrations, see
-/// energy_of_vibrations(): Δe/e = E_v/(e v)².
+/// energy_of_vibrations(), to which that of the bonds at the start is added: points that start
+/// within reach of the wall are not in balance there. Δe/e = E_v/(e v)².
 ///
 /// Forces and times err by what the elastic displacement would change of the energy, ΔE and its
 /// kinetic energy, over the energy of the impact, and by the amplitude of vibrations,

@@ -11,6 +11,8 @@ constexpr double kAbove = 0.5;
 constexpr double kFarBelow = 1.0;  // where four runs say it
 /// Of the last correction, which counts in full as long as no fourth run confirms it.
 constexpr double kConfirmed = 0.15;
+constexpr double kNextMargin = 3.0;
+constexpr double kLeastDoubt = 0.05;
 
 /// (v₁ − v₂)/(v₂ − v₃) of values with the error hᵖ.
 double ratio_of_order(const Sample& coarse, const Sample& middle, const Sample& fine, double p) {
@@ -44,6 +46,21 @@ bool fall_between(const Sample& coarse, const Sample& middle, const Sample& fine
 bool show_order(const Sample& coarse, const Sample& middle, const Sample& fine, int order) {
   return fall_between(coarse, middle, fine, order - kBelow, order + kAbove) ||
          fall_between(coarse, middle, fine, order + 2 - kAbove, order + 2 + kAbove);
+}
+
+/// How far the limit of the finest three of four runs moves when the next power p + 4 is taken out
+/// too, if that of the coarser three differs from it by this change.
+double next_correction(const std::vector<Sample>& runs, int order, double change) {
+  const auto rest = [order](const Sample* coarse) {
+    const auto power = [&](int k) {
+      return Sample{coarse[k].step, std::pow(coarse[k].step, order + 4)};
+    };
+    return extrapolated(power(0), power(1), power(2), order).value;
+  };
+  const Sample* const finest = &runs.back();
+  const double before = rest(finest - 3);
+  const double last = rest(finest - 2);
+  return std::abs(change * last / (before - last));
 }
 
 }  // namespace
@@ -107,7 +124,13 @@ ConvergedValue converged(const std::vector<Sample>& runs, int order) {
                           show_order(finest[-2], finest[-1], finest[0], order);
     const double gain = is_shown ? std::pow(refinement, order) - 1.0
                                  : (std::pow(refinement, order - kFarBelow) - 1.0) / kPlainMargin;
-    limit.error = std::max(kConfirmed * limit.error, std::abs(limit.value - before.value) / gain);
+    const double change = limit.value - before.value;
+    const double careful = std::max(kConfirmed * limit.error, std::abs(change) / gain);
+    limit.error =
+        is_shown
+            ? std::clamp(kNextMargin * std::sqrt(careful * next_correction(runs, order, change)),
+                         kLeastDoubt * careful, careful)
+            : careful;
   }
   return limit.error <= plain.error ? limit : plain;
 }

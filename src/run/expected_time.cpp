@@ -77,7 +77,7 @@ double contact_time_at_most(double sound_speed, double velocity) {
 
 double negligible_fraction(const Scene& scene) { return 0.01 * scene.numerics.error; }
 
-double remaining_fraction(const Scene& scene) { return 1e-3 * scene.numerics.error; }
+double remaining_fraction(const Scene& scene) { return scene.numerics.error / 4000.0; }
 
 bool has_resets(const Scene& scene) {
   return scene.has_elastic_wall() && scene.wall.boundary == Boundary::kReset;

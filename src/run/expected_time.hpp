@@ -32,7 +32,7 @@ double contact_time_at_most(double sound_speed, double velocity);
 double negligible_fraction(const Scene& scene);
 
 /// The fraction of its kinetic energy that the contact may still hold when a body has left for
-/// good: numerics.error/10³.
+/// good: numerics.error/4000.
 double remaining_fraction(const Scene& scene);
 
 /// Whether the scene is one of motion at an elastic wall whose velocities are reset at intervals.

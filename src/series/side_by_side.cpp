@@ -26,9 +26,10 @@ constexpr Eigen::Index kMostPoints = 20000;
 /// ones.
 constexpr std::size_t kFewestSearches = 3;
 constexpr int kStepsBetweenChecks = 64;
-/// Time of a step of a bundle, in steps of one run, as test/bench/compare_lammps and bench_runs
-/// measure it.
-constexpr double kBundleStep = 5.5;
+/// Above so many runs a step of a bundle takes less time than one of each by itself, as sweeps of 8
+/// to 16 speeds have it; and where the methods solve for damped velocities.
+constexpr std::size_t kMostSingles = 5;
+constexpr std::size_t kMostSinglesThatSolve = 3;
 
 using Clock = std::chrono::steady_clock;
 
@@ -66,10 +67,11 @@ struct BundleKey {
   IntegratorKind integrator;
   LaneField::Kind kind;
   bool needs_common_step;
-  double step;  ///< R/c; 0 where it does not matter
-  double eta;   ///< M c/R; 0 where it does not matter
+  double step;     ///< R/c; 0 where it does not matter
+  double eta;      ///< M c/R; 0 where it does not matter
+  bool supported;  ///< false where it does not matter
 
-  auto keys() const { return std::tie(integrator, kind.cubic, kind.damped, step, eta); }
+  auto keys() const { return std::tie(integrator, kind.cubic, kind.damped, step, eta, supported); }
   bool operator<(const BundleKey& other) const { return keys() < other.keys(); }
 };
 
@@ -78,8 +80,12 @@ BundleKey bundle_key_of(const LaneRun& lane_run) {
   const ForceField& field = lane_run.motion->field();
   const LaneField::Kind kind = LaneField::kind_of(field);
   const bool solves = kind.damped && solves_for_damping(integrator);
-  return {integrator, kind, solves, solves ? lane_run.motion->step_size() : 0.0,
-          solves ? field.bonds.law().eta : 0.0};
+  return {integrator,
+          kind,
+          solves,
+          solves ? lane_run.motion->step_size() : 0.0,
+          solves ? field.bonds.law().eta : 0.0,
+          solves && field.supports.has_value()};
 }
 
 /// Whether lanes take the method and the field of the first run, and so those of all.
@@ -88,9 +94,9 @@ bool are_for_lanes(const Composition& composition) {
          LaneField::knows(composition.field);
 }
 
-/// About how many steps a run of the scene takes.
-double expected_steps(const Composition& composition) {
-  return composition.expected_time / composition.resolution.step;
+/// Whether as many runs are faster in a bundle than one by one.
+bool fill_a_bundle(std::size_t runs, const BundleKey& key) {
+  return runs > (key.needs_common_step ? kMostSinglesThatSolve : kMostSingles);
 }
 
 class SideBySide {
@@ -187,26 +193,8 @@ class SideBySide {
     for (Candidate& candidate : candidates_) {
       (are_for_lanes(*candidate.composition) ? for_lanes : singles).push_back(&candidate);
     }
-    outcome_.in_lanes = lanes_pay(for_lanes);
     return run_singly(singles) &&
-           (outcome_.in_lanes ? run_in_lanes(for_lanes) : run_singly(for_lanes));
-  }
-
-  /// Whether enough lanes will be taken for long enough that a bundle is faster than single runs.
-  /// The results are the same to the last bit, so only the time depends on this.
-  bool lanes_pay(const std::vector<Candidate*>& candidates) const {
-    double all = 0.0;
-    double longest = 0.0;
-    for (const Candidate* const candidate : candidates) {
-      const double steps = expected_steps(*candidate->composition);
-      const double runs = scenes_[candidate->place].numerics.are_given()
-                              ? 1.0
-                              : steps_of_all_runs(candidate->composition->resolution);
-      all += runs * steps;
-      longest = std::max(longest, steps);
-    }
-    return lattice_.points.rows() <= kMostPoints &&
-           kBundleStep * std::max(longest, all / kLanes) < all;
+           (lattice_.points.rows() > kMostPoints ? run_singly(for_lanes) : run_in_lanes(for_lanes));
   }
 
   bool run_singly(const std::vector<Candidate*>& candidates) {
@@ -268,7 +256,8 @@ class SideBySide {
   LaneRun& new_lane_run(Candidate& candidate, const Resolution& resolution) {
     const Composition& composition = *candidate.composition;
     auto motion = std::make_unique<LaneMotion>(composition.field, start_of(composition, resolution),
-                                               composition.rates.lattice, resolution.step);
+                                               composition.rates.lattice, resolution.step,
+                                               make_fixed<ForceField>(resolution.integrator));
     LaneMotion* const in_lane = motion.get();
     Run run(scenes_[candidate.place], candidate.composition, resolution, {std::move(motion)});
     candidate.lane_runs.push_back({&candidate, resolution, in_lane, std::move(run)});
@@ -301,25 +290,55 @@ class SideBySide {
 
   /// Advances the runs that wait for such a bundle until none is left. False when told to stop.
   bool advance(const BundleKey key) {
-    LaneBundle bundle(
-        lattice_, 1.0 / static_cast<double>(bodies_->disk().points.rows()), key.kind,
-        [&] { return make_fixed<LaneField>(key.integrator); }, key.needs_common_step);
     std::deque<LaneRun*>& queue = waiting_[key];
+    while (!queue.empty()) {
+      if (!(fill_a_bundle(queue.size(), key) ? advance_in_bundle(key, queue)
+                                             : advance_singly(queue))) {
+        return false;
+      }
+    }
+    waiting_.erase(key);
+    return true;
+  }
+
+  /// As long as a bundle is faster than single runs.
+  bool advance_in_bundle(const BundleKey& key, std::deque<LaneRun*>& queue) {
+    LaneBundle bundle(lattice_, 1.0 / static_cast<double>(bodies_->disk().points.rows()), key.kind,
+                      make_fixed<LaneField>(key.integrator), key.needs_common_step);
+    outcome_.in_lanes = true;
     since_ = Clock::now();
     for (int step = 1;; ++step) {
       if (!queue.empty() && !bundle.is_full()) fill(bundle, queue);
-      if (in_bundle_.empty()) break;
+      if (!fill_a_bundle(in_bundle_.size(), key)) break;
       bundle.step();
       const auto leaving = std::partition(in_bundle_.begin(), in_bundle_.end(), stays);
       if (leaving != in_bundle_.end()) {
         share_time();
-        std::for_each(leaving, in_bundle_.end(),
-                      [&](LaneRun* lane_run) { send_on(*lane_run, bundle); });
+        std::for_each(leaving, in_bundle_.end(), [&](LaneRun* lane_run) { send_on(*lane_run); });
         in_bundle_.erase(leaving, in_bundle_.end());
       }
       if (step % kStepsBetweenChecks == 0 && stop_()) return false;
     }
-    waiting_.erase(key);
+    share_time();
+    for (LaneRun* const lane_run : in_bundle_) {
+      lane_run->motion->leave();
+      queue.push_back(lane_run);
+    }
+    in_bundle_.clear();
+    return true;
+  }
+
+  bool advance_singly(std::deque<LaneRun*>& queue) {
+    LaneRun& lane_run = *queue.front();
+    queue.pop_front();
+    since_ = Clock::now();
+    do {
+      if (lane_run.cancelled) break;
+      if (lane_run.motion->steps() % kStepsBetweenChecks == 0 && stop_()) return false;
+      lane_run.motion->step();
+    } while (goes_on(lane_run));
+    lane_run.candidate->wall_time += seconds_since(since_);
+    send_on(lane_run);
     return true;
   }
 
@@ -339,32 +358,36 @@ class SideBySide {
   /// Observes the step that was made. False when the run ends here or has to go into another
   /// bundle.
   static bool stays(LaneRun* lane_run) {
-    if (lane_run->cancelled || !lane_run->motion->is_in_bundle()) return false;
-    Candidate& candidate = *lane_run->candidate;
+    return !lane_run->cancelled && lane_run->motion->is_in_bundle() && goes_on(*lane_run);
+  }
+
+  /// The same of a run by itself.
+  static bool goes_on(LaneRun& lane_run) {
+    Candidate& candidate = *lane_run.candidate;
     try {
-      if (lane_run->run) {
-        lane_run->run->observe_step();
-        return !lane_run->run->finished();
+      if (lane_run.run) {
+        lane_run.run->observe_step();
+        return !lane_run.run->finished();
       }
       candidate.study->observe_step();
     } catch (const RunFailure& failure) {
-      if (lane_run->run) {
+      if (lane_run.run) {
         cancel(candidate);  // it will fail again if it is asked for
       } else {
         candidate.failure = failure.what();
       }
       return false;
     }
-    return !candidate.study->finished() && candidate.present == lane_run;
+    return !candidate.study->finished() && candidate.present == &lane_run;
   }
 
-  void send_on(LaneRun& lane_run, LaneBundle& bundle) {
+  void send_on(LaneRun& lane_run) {
     Candidate& candidate = *lane_run.candidate;
     if (lane_run.cancelled) {
       lane_run.run.reset();
     } else if (lane_run.run) {
       if (lane_run.run->finished()) {
-        bundle.leave(*lane_run.motion);
+        lane_run.motion->leave();
       } else {
         wait(lane_run);
       }
@@ -419,10 +442,8 @@ class SideBySide {
 
 bool may_be_in_lanes(const Scene& scene) {
   if (scene.is_static()) return true;
-  const bool has_contact =
-      scene.wall.kind == WallKind::kPotential ||
-      (!scene.has_own_wall_material() && (scene.hits_disk() || !scene.is_damped()));
-  return scene.kind == SceneKind::kCollision && has_contact &&
+  const bool has_dashpots = scene.has_elastic_wall() && scene.wall.boundary == Boundary::kViscous;
+  return scene.kind == SceneKind::kCollision && !scene.has_own_wall_material() && !has_dashpots &&
          traits_of(scene.numerics.integrator).in_lanes;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -65,15 +66,16 @@ Simulation alone(const Throw& thrown) {
           std::make_unique<I<ForceField>>()};
 }
 
+template <template <class> class I>
 std::unique_ptr<LaneMotion> in_lane(const Throw& thrown) {
   return std::make_unique<LaneMotion>(field_of(thrown), start_of(thrown), spectrum_of(thrown),
-                                      thrown.step);
+                                      thrown.step, std::make_unique<I<ForceField>>());
 }
 
 template <template <class> class I>
 LaneBundle bundle(const Throw& like, bool needs_common_step = false) {
-  return {disk(), kPointMass, LaneField::kind_of(field_of(like)),
-          [] { return std::make_unique<I<LaneField>>(); }, needs_common_step};
+  return {disk(), kPointMass, LaneField::kind_of(field_of(like)), std::make_unique<I<LaneField>>(),
+          needs_common_step};
 }
 
 /// To the last bit.
@@ -101,7 +103,7 @@ void expect_same_in_lanes(const std::vector<Throw>& throws, bool needs_common_st
     while (motions.size() < throws.size() &&
            (motions.size() < 3 || step >= 10 * static_cast<int>(motions.size()))) {
       singles.push_back(alone<I>(throws[motions.size()]));
-      motions.push_back(in_lane(throws[motions.size()]));
+      motions.push_back(in_lane<I>(throws[motions.size()]));
       all.add(*motions.back());
       expect_same(*motions.back(), singles.back());
     }
@@ -186,7 +188,7 @@ TEST(LaneBundle, FollowsAPlainLoop) {
   LaneBundle all = bundle<BasicVelocityVerlet>(throws.front());
   std::vector<std::unique_ptr<LaneMotion>> motions;
   for (const Throw& thrown : throws) {
-    motions.push_back(in_lane(thrown));
+    motions.push_back(in_lane<BasicVelocityVerlet>(thrown));
     all.add(*motions.back());
   }
   constexpr int kSteps = 400;
@@ -213,8 +215,8 @@ TEST(LaneBundle, FollowsAPlainLoop) {
 TEST(LaneBundle, HalvesTheStepOfOneLane) {
   const Throw hard{0.3, 1.0, 0.0, 1000.0, 0.03};
   Simulation single = alone<BasicVelocityVerlet>(hard);
-  const auto motion = in_lane(hard);
-  const auto other = in_lane({0.02});
+  const auto motion = in_lane<BasicVelocityVerlet>(hard);
+  const auto other = in_lane<BasicVelocityVerlet>({0.02});
   LaneBundle both = bundle<BasicVelocityVerlet>(hard);
   both.add(*other);
   both.add(*motion);
@@ -232,12 +234,10 @@ TEST(LaneBundle, HalvesTheStepAboveAnElasticWall) {
   TwoBodies bodies(2.4, {0.3, 0.0}, GapMeasure::kNormal, 4000.0);
   bodies.state.velocity.bottomRows(bodies.field.other_points()).col(1) += 0.1;
   Simulation single = bodies.simulation(0.1);
-  const Spectrum spectrum =
-      lattice_spectrum(bodies.lattice, bodies.field.bonds.law(), TwoBodies::kMass);
-  LaneMotion motion(bodies.field, bodies.state, spectrum, 0.1);
-  LaneBundle lanes(
-      bodies.lattice, TwoBodies::kMass, LaneField::kind_of(bodies.field),
-      [] { return std::make_unique<BasicVelocityVerlet<LaneField>>(); }, false);
+  LaneMotion motion(bodies.field, bodies.state, bodies.spectrum(), 0.1,
+                    std::make_unique<VelocityVerlet>());
+  LaneBundle lanes(bodies.lattice, TwoBodies::kMass, LaneField::kind_of(bodies.field),
+                   std::make_unique<BasicVelocityVerlet<LaneField>>(), false);
   lanes.add(motion);
   while (single.time() < 6.0) {
     single.step();
@@ -250,11 +250,68 @@ TEST(LaneBundle, HalvesTheStepAboveAnElasticWall) {
   EXPECT_GT(single.field().elastic_wall->largest_force(), 0.0);
 }
 
+using Change = std::function<void(ForceField&)>;
+
+/// Damped disks and elastic walls, changed so, in lanes and alone.
+template <template <class> class I>
+void expect_same_on_elastic_wall(const std::vector<Change>& changes, bool needs_common_step) {
+  constexpr double kStep = 0.02;
+  std::deque<TwoBodies> all;
+  std::deque<Simulation> singles;
+  std::deque<LaneMotion> motions;
+  for (const Change& change : changes) {
+    const double place = 2.4 + 0.3 * static_cast<double>(all.size());
+    all.emplace_back(place, Eigen::Array2d(0.1, -0.3), GapMeasure::kNormal, 40.0, 0.1);
+    change(all.back().field);
+    singles.push_back(all.back().simulation<I>(kStep));
+    motions.emplace_back(all.back().field, all.back().state, all.back().spectrum(), kStep,
+                         std::make_unique<I<ForceField>>());
+  }
+  LaneBundle lanes(all[0].lattice, TwoBodies::kMass, LaneField::kind_of(all[0].field),
+                   std::make_unique<I<LaneField>>(), needs_common_step);
+  for (LaneMotion& motion : motions) lanes.add(motion);
+  for (int step = 0; step < 200; ++step) {
+    lanes.step();
+    for (Simulation& single : singles) single.step();
+  }
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    SCOPED_TRACE(k);
+    EXPECT_TRUE((motions[k].state().position == singles[k].state().position).all());
+    EXPECT_TRUE((motions[k].state().velocity == singles[k].state().velocity).all());
+    EXPECT_EQ(motions[k].ledger().dissipated, singles[k].ledger().dissipated);
+    EXPECT_EQ(motions[k].ledger().absorbed, singles[k].ledger().absorbed);
+    EXPECT_EQ(motions[k].field().evaluations, singles[k].field().evaluations);
+    EXPECT_GT(singles[k].ledger().dissipated, 0.0);
+    EXPECT_GT(singles[k].state().velocity.topRows(TwoBodies::kDiskPoints).col(1).mean(), 0.0);
+  }
+}
+
+void clamp(ForceField& field) { field.supports.emplace(TwoBodies::bottom(), TwoBodies::bottom()); }
+
+Change reset_every(double interval) {
+  return [interval](ForceField& field) {
+    field.velocity_reset.emplace(TwoBodies::bottom(), interval);
+  };
+}
+
+/// A reset changes the velocities of one lane, and the damping with them.
+TEST(LaneBundle, HoldsAndResetsDampedElasticWallsInEveryLane) {
+  const Change leave = [](ForceField& /*field*/) {};
+  expect_same_on_elastic_wall<BasicVelocityVerlet>(
+      {clamp, reset_every(0.02), leave, reset_every(0.06)}, false);
+  expect_same_on_elastic_wall<BasicImplicitDamping>({reset_every(0.02), leave, reset_every(0.06)},
+                                                    true);
+  expect_same_on_elastic_wall<BasicExtrapolatedDamping>(
+      {reset_every(0.02), leave, reset_every(0.06)}, true);
+  expect_same_on_elastic_wall<BasicImplicitDamping>({clamp, clamp}, true);
+  expect_same_on_elastic_wall<BasicExtrapolatedDamping>({clamp, clamp}, true);
+}
+
 TEST(LaneBundle, OneWhoseStepIsHalvedLeavesACommonOne) {
   const double eta = 30.0 * kPointMass;
   const Throw hard{0.3, 1.0, eta, 1000.0, 0.03};
-  const auto motion = in_lane(hard);
-  const auto other = in_lane({0.02, 1.0, eta, 300.0, 0.03});
+  const auto motion = in_lane<BasicImplicitDamping>(hard);
+  const auto other = in_lane<BasicImplicitDamping>({0.02, 1.0, eta, 300.0, 0.03});
   LaneBundle both = bundle<BasicImplicitDamping>(hard, true);
   both.add(*other);
   both.add(*motion);
@@ -284,7 +341,7 @@ TEST(LaneBundle, AMotionThatLeavesKeepsItsStateAndFreesItsLane) {
     LaneBundle all = bundle<BasicVelocityVerlet>(thrown);
     for (auto& motion : motions) {
       EXPECT_FALSE(all.is_full());
-      motion = in_lane(thrown);
+      motion = in_lane<BasicVelocityVerlet>(thrown);
       all.add(*motion);
     }
     EXPECT_TRUE(all.is_full());
@@ -303,10 +360,11 @@ TEST(LaneBundle, AMotionThatLeavesKeepsItsStateAndFreesItsLane) {
 TEST(LaneBundle, ABlowUpDoesNotSpread) {
   const Throw thrown{0.02};
   Simulation single = alone<BasicVelocityVerlet>(thrown);
-  const auto motion = in_lane(thrown);
+  const auto motion = in_lane<BasicVelocityVerlet>(thrown);
   State lost = start_of(thrown);
   lost.position(5, 0) = std::nan("");
-  LaneMotion blown_up(field_of(thrown), lost, spectrum_of(thrown), 0.01);
+  LaneMotion blown_up(field_of(thrown), lost, spectrum_of(thrown), 0.01,
+                      std::make_unique<VelocityVerlet>());
   LaneBundle both = bundle<BasicVelocityVerlet>(thrown);
   both.add(blown_up);
   both.add(*motion);

@@ -2,11 +2,13 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 #include "mechanics/simulation.hpp"
+#include "mechanics/velocity_verlet.hpp"
 #include "test_lattices.hpp"
 
 namespace impact {
@@ -21,9 +23,9 @@ struct TwoBodies {
 
   /// The corner starts at height 0.3 above the patch, over this place on its surface from 0 to 7.
   explicit TwoBodies(double place, const Eigen::Array2d& velocity,
-                     GapMeasure measure = GapMeasure::kNormal, double a = 40.0)
+                     GapMeasure measure = GapMeasure::kNormal, double a = 40.0, double eta = 0.0)
       : lattice(joined(hexagon(), triangular_patch(kColumns, kRows))),
-        field{BondForces(lattice, law()), kMass} {
+        field{BondForces(lattice, {1.0, 0.5, eta}), kMass} {
     field.others = {Body{kDiskPoints, kColumns * kRows, false}};
     state.position = lattice.points;
     const double top = lattice.points.col(1).maxCoeff();
@@ -47,8 +49,11 @@ struct TwoBodies {
     return points;
   }
 
+  Spectrum spectrum() const { return lattice_spectrum(lattice, field.bonds.law(), kMass); }
+
+  template <template <class> class I = BasicVelocityVerlet>
   Simulation simulation(double step) const {
-    return Simulation(field, state, lattice_spectrum(lattice, law(), kMass), step);
+    return Simulation(field, state, spectrum(), step, std::make_unique<I<ForceField>>());
   }
 
   Lattice lattice;
@@ -56,7 +61,6 @@ struct TwoBodies {
   State state;
 
  private:
-  static BondLaw law() { return {1.0, 0.5, 0.0}; }
   static std::int32_t row(int column, int row) {
     return static_cast<std::int32_t>(kDiskPoints) + row * kColumns + column;
   }

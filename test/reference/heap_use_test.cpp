@@ -112,12 +112,11 @@ std::uint64_t allocations_in_lanes(TwoBodies bodies) {
   bodies.field.load.reset();
   bodies.field.hold.reset();
   const Spectrum spectrum = lattice_spectrum(bodies.lattice, {1.0, 0.5, 0.1}, TwoBodies::kMass);
-  LaneMotion first(bodies.field, bodies.state, spectrum, kStep);
-  LaneMotion second(bodies.field, bodies.state, spectrum, kStep);
+  LaneMotion first(bodies.field, bodies.state, spectrum, kStep, std::make_unique<I<ForceField>>());
+  LaneMotion second(bodies.field, bodies.state, spectrum, kStep, std::make_unique<I<ForceField>>());
   EXPECT_TRUE(LaneField::knows(bodies.field));
-  LaneBundle bundle(
-      bodies.lattice, TwoBodies::kMass, LaneField::kind_of(bodies.field),
-      [] { return std::make_unique<I<LaneField>>(); }, true);
+  LaneBundle bundle(bodies.lattice, TwoBodies::kMass, LaneField::kind_of(bodies.field),
+                    std::make_unique<I<LaneField>>(), true);
   bundle.add(first);
   bundle.add(second);
   for (int k = 0; k < 10; ++k) bundle.step();

@@ -54,12 +54,28 @@ TEST(Extrapolated, DoubtsTheLimitByTwiceItsLastCorrection) {
   EXPECT_NEAR(extrapolated(runs[0], runs[1], runs[2], 2).error, 2.0 * correction, 1e-14);
 }
 
-/// A fourth run that agrees takes most of the doubt away: what it leaves is 0.15 of it here, where
-/// the limits of both sets of three are exact.
+/// A fourth run that agrees takes most of the doubt away: what it leaves is 0.05 of 0.15 of it
+/// here, where the limits of both sets of three are exact.
 TEST(Converged, DoubtsAConfirmedLimitLess) {
   const auto runs = runs_of([](double h) { return h * h + 5.0 * std::pow(h, 4); }, 4);
   const double alone = converged({runs.begin() + 1, runs.end()}, 2).error;
-  EXPECT_NEAR(converged(runs, 2).error, 0.15 * alone, 1e-3 * alone);
+  EXPECT_NEAR(converged(runs, 2).error, 0.05 * 0.15 * alone, 1e-3 * alone);
+}
+
+/// Of errors in three powers the term that three runs leave out is the error of their limit.
+TEST(Converged, DoubtsAConfirmedLimitByTheNextPower) {
+  for (const int order : {2, 4}) {
+    const auto runs = runs_of(
+        [=](double h) {
+          return std::pow(h / 0.1, order) * (1.0 + 5.0 * h * h + 400.0 * std::pow(h, 4));
+        },
+        4);
+    const auto result = converged(runs, order);
+    const double alone = converged({runs.begin() + 1, runs.end()}, order).error;
+    EXPECT_NEAR(result.error, 3.0 * std::sqrt(true_error(result) * 0.15 * alone),
+                1e-3 * result.error)
+        << order;
+  }
 }
 
 /// Limits that go on changing are in doubt by more than they are off; 10⁻⁷ is above what is left of

@@ -73,7 +73,12 @@ INSTANTIATE_TEST_SUITE_P(
               "wall.V0=0.0564853", "wall.threshold=0.958158", "wall.points=1015",
               "wall.width=1.8953", "wall.gap_measure=vertical", "wall.boundary=fixed",
               "impact.velocity=0.0174433", "impact.gap=0.0229266", "numerics.error=5.80249e-6"},
-             1.024444856}),
+             1.024444856},
+        Case{"SlowAndBeginsInTheWall",
+             "collision",
+             {"seed=24617", "disk.points=192", "wall.a=103.769", "material.k_b=0",
+              "impact.velocity=0.00205815", "impact.gap=0.139939", "numerics.error=5.91684e-7"},
+             1.11947362677}),
     [](const auto& info) { return info.param.name; });
 
 /// Hops and a cut-off wall leave a scatter above the wanted error: no answer, and the cause.
