@@ -49,6 +49,9 @@ TEST(RandomScene, DrawsSlowImpactsToo) {
   }
 }
 
+/// Of what is drawn on the way to this scene one would take more than numerics.longest.
+TEST(RandomScene, JudgesScenesThatTakeTooLong) { EXPECT_NO_THROW(random_scene(83, 601)); }
+
 TEST(RandomScene, TakesTheKindsInTurn) {
   for (int number = 0; number < kScenes; ++number) {
     const std::string kind = kind_of(scenes()[static_cast<std::size_t>(number)]);
