@@ -67,6 +67,13 @@ struct Panels {
   const double* values;      ///< of each panel: quad after quad, of each its columns
 };
 
+/// A dense matrix, column after column; rows: a multiple of kSlice.
+struct DenseMatrix {
+  const double* values;
+  std::int64_t rows;
+  std::int64_t columns;
+};
+
 /// The force a V₀ exp(−a y) of a potential wall; none above the reach.
 struct WallLaw {
   double a;              ///< 1/R
@@ -175,6 +182,8 @@ struct Kernels {
   void (*substitute)(const Panels& panels, double* pairs, double* scratch);
   /// The same of one number a row; `scratch` has kQuad places a quad.
   void (*substitute_one)(const Panels& panels, double* numbers, double* scratch);
+  /// y = A x.
+  void (*multiply)(const DenseMatrix& matrix, const double* x, double* y);
   LaneKernels lanes;
 };
 

@@ -85,12 +85,12 @@ bool run_through(ModalDynamics dynamics, const Pace& pace, Pass& pass) {
   return !pass.instants.empty();
 }
 
-/// The amplitudes of all instants.
-Eigen::MatrixXd joined(const std::vector<Instant>& instants) {
-  Eigen::MatrixXd all(instants.front().state.amplitudes.size(),
+/// The amplitudes or rates of all instants.
+Eigen::MatrixXd joined(const std::vector<Instant>& instants, Eigen::VectorXd ModalState::*numbers) {
+  Eigen::MatrixXd all((instants.front().state.*numbers).size(),
                       static_cast<Eigen::Index>(instants.size()));
   for (Eigen::Index k = 0; k < all.cols(); ++k) {
-    all.col(k) = instants[static_cast<std::size_t>(k)].state.amplitudes;
+    all.col(k) = instants[static_cast<std::size_t>(k)].state.*numbers;
   }
   return all;
 }
@@ -163,7 +163,7 @@ Eigen::VectorXd forces_of_turning(const ModalSystem& system, const Instant& inst
 ForceCourse defect(const ModalSystem& system, const ForceField& field, const Pass& pass,
                    const Pace& pace) {
   const BulkModes& modes = *system.modes;
-  const Eigen::MatrixXd amplitudes = joined(pass.instants);
+  const Eigen::MatrixXd amplitudes = joined(pass.instants, &ModalState::amplitudes);
   const Eigen::MatrixXd u = elastic_displacements(modes, amplitudes);
   AllForces all(system, field);
   Eigen::MatrixXd elastic(u.rows(), u.cols());
@@ -194,35 +194,25 @@ Response response_to(const Eigen::VectorXd& forces, double k_a, Compliance& comp
   return {std::move(displacements), energy};
 }
 
-/// Twice the energy of the response to the forces outside the space of modes, M c². What bonds that
-/// respond are beyond linear ones has a response in turn, and so on: a geometric series, as long as
-/// that shrinks.
-double twice_energy_outside(const ModalSystem& system, const ForceField& field,
-                            Compliance& compliance, const Instant& instant) {
-  const BulkModes& modes = *system.modes;
-  AllForces all(system, field);
-  const Eigen::VectorXd u = elastic_displacements(modes, instant.state.amplitudes);
-  const Eigen::VectorXd elastic = all.elastic(u);
-  Eigen::VectorXd rest = all.wall(instant) + elastic;
-  if (field.bonds.damped()) rest += all.damping(modes.shapes * instant.state.rates);
-  rest -= field.point_mass * (modes.shapes * (modes.shapes.transpose() * rest));
-  for (auto along : {rest.head(rest.size() / 2), rest.tail(rest.size() / 2)}) {
-    along.array() -= along.mean();
-  }
-  const bool is_rounding = rest.norm() < kRounding * elastic.norm();
-  const Response first = response_to(rest, system.law.k_a, compliance);
-  if (is_rounding) return first.twice_energy;
-  const Response second = response_to(all.elastic(u + first.displacements) - elastic + rest,
-                                      system.law.k_a, compliance);
+/// Twice the energy of the response to forces outside the space of modes, M c². What bonds at the
+/// displacements u, which the elastic forces belong to, are beyond linear ones when they respond
+/// has a response in turn, and so on: a geometric series, as long as that shrinks.
+double twice_energy_outside(AllForces& all, double k_a, Compliance& compliance,
+                            const Eigen::VectorXd& u, const Eigen::VectorXd& elastic,
+                            const Eigen::VectorXd& rest) {
+  const Response first = response_to(rest, k_a, compliance);
+  if (rest.norm() < kRounding * elastic.norm()) return first.twice_energy;
+  const Response second =
+      response_to(all.elastic(u + first.displacements) - elastic + rest, k_a, compliance);
   const double ratio = std::sqrt(second.twice_energy / first.twice_energy);
   return ratio < 1.0 ? first.twice_energy / std::pow(1.0 - ratio, 2) : kInfinity;
 }
 
-/// Of points that are not among those in contact.
-double energy_of_others(const ModalSystem& system, const Instant& instant) {
+/// Of points that are not among those in contact, at displacements u.
+double energy_of_others(const ModalSystem& system, const Instant& instant,
+                        const Eigen::VectorXd& u) {
   const BulkModes& modes = *system.modes;
   const Eigen::Index n = modes.arm.rows();
-  const Eigen::VectorXd u = elastic_displacements(modes, instant.state.amplitudes);
   const double angle = instant.state.amplitudes(0) / std::sqrt(modes.inertia);
   Eigen::ArrayXd height = instant.state.height +
                           std::sin(angle) * (modes.arm.col(0) + u.head(n).array()) +
@@ -232,25 +222,43 @@ double energy_of_others(const ModalSystem& system, const Instant& instant) {
 }
 
 /// Some of those at which the force is at least a tenth of the greatest.
-std::vector<std::size_t> strongest(const Pass& pass) {
+std::vector<Instant> strongest(const Pass& pass) {
   std::vector<std::size_t> strong;
   for (std::size_t k = 0; k < pass.instants.size(); ++k) {
     if (pass.instants[k].contact_forces.sum() > kStrong * pass.largest_force) strong.push_back(k);
   }
   const std::size_t stride = (strong.size() + kMostStrong - 1) / kMostStrong;
-  std::vector<std::size_t> some;
-  for (std::size_t k = 0; k < strong.size(); k += stride) some.push_back(strong[k]);
+  std::vector<Instant> some;
+  for (std::size_t k = 0; k < strong.size(); k += stride) some.push_back(pass.instants[strong[k]]);
   return some;
 }
 
 /// Of what is left out at the strongest instants, over the energy that is left.
 double part_outside(const ModalSystem& system, const ForceField& field, Compliance& compliance,
                     const Pass& pass) {
+  const BulkModes& modes = *system.modes;
+  const std::vector<Instant> instants = strongest(pass);
+  const Eigen::MatrixXd u = elastic_displacements(modes, joined(instants, &ModalState::amplitudes));
+  const Eigen::MatrixXd velocities = modes.shapes * joined(instants, &ModalState::rates);
+  AllForces all(system, field);
+  Eigen::MatrixXd elastic(u.rows(), u.cols());
+  Eigen::MatrixXd rest(u.rows(), u.cols());
+  for (Eigen::Index k = 0; k < u.cols(); ++k) {
+    elastic.col(k) = all.elastic(u.col(k));
+    rest.col(k) = all.wall(instants[static_cast<std::size_t>(k)]) + elastic.col(k);
+    if (field.bonds.damped()) rest.col(k) += all.damping(velocities.col(k));
+  }
+  const Eigen::MatrixXd held = modes.shapes.transpose() * rest;
+  rest -= field.point_mass * (modes.shapes * held);
+  for (auto along : {rest.topRows(u.rows() / 2), rest.bottomRows(u.rows() / 2)}) {
+    along.rowwise() -= along.colwise().mean();
+  }
   double most = 0.0;
-  for (const std::size_t k : strongest(pass)) {
-    const Instant& instant = pass.instants[k];
-    most = std::max(most, twice_energy_outside(system, field, compliance, instant) +
-                              2.0 * energy_of_others(system, instant));
+  for (Eigen::Index k = 0; k < u.cols(); ++k) {
+    most = std::max(
+        most, twice_energy_outside(all, system.law.k_a, compliance, u.col(k), elastic.col(k),
+                                   rest.col(k)) +
+                  2.0 * energy_of_others(system, instants[static_cast<std::size_t>(k)], u.col(k)));
   }
   return kMarginOfSpace * most / (pass.velocity * pass.velocity);
 }

@@ -28,11 +28,15 @@ ModalDynamics::ModalDynamics(ModalSystem system, ModalState start, double step)
       stiffness_(system_.law.k_a * system_.modes->stiffness) {
   const BulkModes& modes = *system_.modes;
   const Eigen::Index n = modes.arm.rows();
+  const Eigen::Index contacts = static_cast<Eigen::Index>(modes.points.size());
   arm_ = modes.arm(modes.points, Eigen::all);
-  along_x_ = modes.shapes.topRows(n)(modes.points, Eigen::all);
-  along_y_ = modes.shapes.bottomRows(n)(modes.points, Eigen::all);
-  along_x_.col(0).setZero();
-  along_y_.col(0).setZero();
+  Eigen::MatrixXd displacements(2 * contacts, modes.shapes.cols());
+  displacements << modes.shapes.topRows(n)(modes.points, Eigen::all),
+      modes.shapes.bottomRows(n)(modes.points, Eigen::all);
+  displacements.col(0).setZero();
+  displacements_ = PaddedMatrix(displacements);
+  transposed_ = PaddedMatrix(displacements.transpose());
+  pushes_.resize(2 * contacts);
   middle_ = state_.rates;
   set_step(step);
   update_forces();
@@ -42,13 +46,15 @@ void ModalDynamics::set_step(double step) {
   step_ = step;
   Eigen::MatrixXd matrix = 0.5 * step * system_.law.eta * system_.modes->damping;
   matrix.diagonal() += (1.0 + 0.25 * step * step * stiffness_.array()).matrix();
-  inverse_ = matrix.llt().solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
+  inverse_ =
+      PaddedMatrix(matrix.llt().solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols())));
 }
 
 /// h D q̇½ = 2 (q̇ₙ + h Fₙ/2 − q̇½) − h² Λ q̇½/2.
 double ModalDynamics::step() {
   kicked_ = state_.rates + 0.5 * step_ * force_;
-  middle_.noalias() = inverse_ * kicked_;
+  inverse_.multiply(kicked_, product_);
+  middle_ = product_.head(kicked_.size());
   damped_ = 2.0 * (kicked_ - middle_) - 0.5 * step_ * step_ * stiffness_.cwiseProduct(middle_);
   state_.amplitudes += step_ * middle_;
   state_.velocity += 0.5 * step_ * force();
@@ -63,13 +69,15 @@ double ModalDynamics::step() {
 void ModalDynamics::update_forces() {
   const double cos = std::cos(angle());
   const double sin = std::sin(angle());
-  x_ = arm_.col(0) + (along_x_ * state_.amplitudes).array();
-  y_ = arm_.col(1) + (along_y_ * state_.amplitudes).array();
+  const Eigen::Index contacts = arm_.rows();
+  displacements_.multiply(state_.amplitudes, displaced_);
+  x_ = arm_.col(0) + displaced_.head(contacts).array();
+  y_ = arm_.col(1) + displaced_.segment(contacts, contacts).array();
   const Repulsion& wall = system_.wall;
   contact_ = wall.force_at(0.0) * (-wall.a() * (state_.height + sin * x_ + cos * y_)).exp();
-  force_.noalias() = along_y_.transpose() * (cos * contact_);
-  force_.noalias() += along_x_.transpose() * (sin * contact_);
-  force_ -= stiffness_.cwiseProduct(state_.amplitudes);
+  pushes_ << sin * contact_, cos * contact_;
+  transposed_.multiply(pushes_, product_);
+  force_ = product_.head(state_.amplitudes.size()) - stiffness_.cwiseProduct(state_.amplitudes);
   force_(0) = contact_.dot((cos * x_ - sin * y_).matrix()) / root_inertia_;
   if (system_.correction) system_.correction->add_to(force_, time_);
 }

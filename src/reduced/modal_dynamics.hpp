@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernels/padded_matrix.hpp"
 #include "mechanics/bond_forces.hpp"
 #include "mechanics/contact.hpp"
 #include "reduced/bulk_modes.hpp"
@@ -78,13 +79,17 @@ class ModalDynamics {
   double step_ = 0.0;
   double root_inertia_;
   Eigen::VectorXd stiffness_;
-  PointArray arm_;           ///< of the points in contact
-  Eigen::MatrixXd along_x_;  ///< displacements of these points, by the modes but the rotation
-  Eigen::MatrixXd along_y_;
-  Eigen::MatrixXd inverse_;
+  PointArray arm_;  ///< of the points in contact
+  /// Displacements of these points, along x and then along y, by the modes but the rotation.
+  PaddedMatrix displacements_;
+  PaddedMatrix transposed_;
+  PaddedMatrix inverse_;
+  Eigen::VectorXd displaced_;
   Eigen::ArrayXd x_;
   Eigen::ArrayXd y_;
   Eigen::VectorXd contact_;
+  Eigen::VectorXd pushes_;  ///< the same in the frame of the body, along x and then along y
+  Eigen::VectorXd product_;
   Eigen::VectorXd force_;  ///< on the modes, without damping
   Eigen::VectorXd kicked_;
   Eigen::VectorXd middle_;
