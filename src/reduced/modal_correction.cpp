@@ -55,13 +55,11 @@ struct Pace {
 bool run_through(ModalDynamics dynamics, const Pace& pace, Pass& pass) {
   const double before = std::abs(dynamics.state().velocity);
   const double least = kTail * 0.5 * before * before * dynamics.system().wall.a();
-  const auto points = static_cast<double>(dynamics.system().modes->arm.rows());
-  const double most =
-      kStiffestOfPass / (dynamics.system().wall.a() * pace.step * pace.step * points);
+  const double most = kStiffestOfPass / (pace.step * pace.step);
   const double interval = pace.step * pace.steps_between;
   pass = {};
   for (int steps = 0; dynamics.state().velocity < 0.0 || dynamics.force() > least; ++steps) {
-    if (steps > kMostSteps || !(dynamics.largest_force() < most)) return false;
+    if (steps > kMostSteps || !(dynamics.contact_rate() < most)) return false;
     pass.largest_force = std::max(pass.largest_force, dynamics.force());
     const bool is_instant = steps % pace.steps_between == 0 && dynamics.force() > least;
     if (is_instant) {

@@ -6,6 +6,11 @@
 #include <utility>
 
 namespace impact {
+namespace {
+
+constexpr double kImplicit = 0.35;
+
+}  // namespace
 
 void ForceCourse::add_to(Eigen::VectorXd& force, double time) const {
   const double place = (time - begin) / interval;
@@ -34,6 +39,8 @@ ModalDynamics::ModalDynamics(ModalSystem system, ModalState start, double step)
   displacements << modes.shapes.topRows(n)(modes.points, Eigen::all),
       modes.shapes.bottomRows(n)(modes.points, Eigen::all);
   displacements.col(0).setZero();
+  heights_ = displacements.bottomRows(contacts);
+  heights_.col(0) = arm_.col(0).matrix() / root_inertia_;
   displacements_ = PaddedMatrix(displacements);
   transposed_ = PaddedMatrix(displacements.transpose());
   pushes_.resize(2 * contacts);
@@ -45,9 +52,19 @@ ModalDynamics::ModalDynamics(ModalSystem system, ModalState start, double step)
 void ModalDynamics::set_step(double step) {
   step_ = step;
   Eigen::MatrixXd matrix = 0.5 * step * system_.law.eta * system_.modes->damping;
-  matrix.diagonal() += (1.0 + 0.25 * step * step * stiffness_.array()).matrix();
-  inverse_ =
-      PaddedMatrix(matrix.llt().solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols())));
+  matrix.diagonal() += (1.0 + kImplicit * step * step * stiffness_.array()).matrix();
+  inverse_ = PaddedMatrix(
+      matrix.llt().solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols())));
+  const Eigen::ArrayXd mass = 1.0 + (kImplicit - 0.25) * step * step * stiffness_.array();
+  const Eigen::MatrixXd of_modes =
+      heights_ * mass.inverse().matrix().asDiagonal() * heights_.transpose();
+  const double of_the_centre = 1.0;
+  response_ = PaddedMatrix((of_modes.array() + of_the_centre).abs().matrix());
+}
+
+double ModalDynamics::contact_rate() const {
+  response_.multiply(contact_, rates_);
+  return system_.wall.a() * rates_.maxCoeff();
 }
 
 /// h D q̇½ = 2 (q̇ₙ + h Fₙ/2 − q̇½) − h² Λ q̇½/2.
@@ -55,7 +72,8 @@ double ModalDynamics::step() {
   kicked_ = state_.rates + 0.5 * step_ * force_;
   inverse_.multiply(kicked_, product_);
   middle_ = product_.head(kicked_.size());
-  damped_ = 2.0 * (kicked_ - middle_) - 0.5 * step_ * step_ * stiffness_.cwiseProduct(middle_);
+  damped_ = 2.0 * (kicked_ - middle_ -
+                   kImplicit * step_ * step_ * stiffness_.cwiseProduct(middle_));
   state_.amplitudes += step_ * middle_;
   state_.velocity += 0.5 * step_ * force();
   state_.height += step_ * state_.velocity;

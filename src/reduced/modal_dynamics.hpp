@@ -51,6 +51,11 @@ class ModalDynamics {
   ModalDynamics(ModalSystem system, ModalState start, double step);
 
   void set_step(double step);
+  /// Bound of the square of the frequency (c/R) that the wall, stiff as now, gives to the points in
+  /// contact in steps like this: the greatest sum of a row of |G| a f, with G q̈ per force. As bonds
+  /// are solved for, points take their neighbours along, the more the longer the step: G is H (1 +
+  /// h D/2 + h² Λ/4)⁻¹ Hᵀ, H the rows that give their heights. Stable below 4/h².
+  double contact_rate() const;
   /// From now on.
   void set_correction(std::shared_ptr<const ForceCourse> correction) {
     system_.correction = std::move(correction);
@@ -79,17 +84,20 @@ class ModalDynamics {
   double step_ = 0.0;
   double root_inertia_;
   Eigen::VectorXd stiffness_;
-  PointArray arm_;  ///< of the points in contact
+  PointArray arm_;           ///< of the points in contact
+  Eigen::MatrixXd heights_;  ///< of these points, by the modes
   /// Displacements of these points, along x and then along y, by the modes but the rotation.
   PaddedMatrix displacements_;
   PaddedMatrix transposed_;
   PaddedMatrix inverse_;
+  PaddedMatrix response_;  ///< |G|
   Eigen::VectorXd displaced_;
   Eigen::ArrayXd x_;
   Eigen::ArrayXd y_;
   Eigen::VectorXd contact_;
   Eigen::VectorXd pushes_;  ///< the same in the frame of the body, along x and then along y
   Eigen::VectorXd product_;
+  mutable Eigen::VectorXd rates_;
   Eigen::VectorXd force_;  ///< on the modes, without damping
   Eigen::VectorXd kicked_;
   Eigen::VectorXd middle_;

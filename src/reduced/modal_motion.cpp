@@ -46,19 +46,16 @@ void ModalMotion::take_force() {
 }
 
 void ModalMotion::limit_step() {
-  const PotentialWall& wall = *field_.wall;
-  const double speed = std::abs(dynamics_.state().velocity);
+  const double way = field_.wall->a() * std::abs(dynamics_.state().velocity);
   const auto rate = [&](double step) {
-    return Motion::kWallMargin / field_.point_mass *
-           wall.stiffness(wall.largest_force() * std::exp(wall.a() * speed * step));
+    return Motion::kWallMargin * dynamics_.contact_rate() * std::exp(way * step);
   };
   stiffest_contact_ = std::max(stiffest_contact_, rate(std::ldexp(step_size_, halvings_)));
-  const double before = step_size_;
   while (step_size_ * step_size_ * rate(step_size_) > kMostStiffness) {
     step_size_ /= 2.0;
     ++halvings_;
+    dynamics_.set_step(step_size_);
   }
-  if (step_size_ != before) dynamics_.set_step(step_size_);
 }
 
 /// To first order in the displacements.

@@ -132,6 +132,7 @@ double longest_sensible_step(const Scene& scene, IntegratorKind integrator, cons
 
 double longest_step(const Scene& scene, IntegratorKind integrator, const Rates& rates) {
   constexpr int kHalvings = 30;
+  if (integrator == IntegratorKind::kModal) return longest_sensible_step(scene, integrator, rates);
   const double inner_share = Motion::inner_share(scene.wall.a, rates.spacing);
   const double gain = solves_for_bonds(integrator) ? rate_of_gain(scene, rates) : 0.0;
   const auto is_stable = [&](double step) {
