@@ -27,8 +27,8 @@ ConvergenceStudy performed(const Scene& scene) {
 }
 
 /// A scene whose answer was once further off than promised, without a word. The true values are
-/// from rk8pd with tolerances of 10⁻¹¹ … 10⁻¹³, those of contacts by Newton's method in long double,
-/// to all digits that are given.
+/// from rk8pd with tolerances of 10⁻¹¹ … 10⁻¹³, those of contacts by Newton's method in long
+/// double, to all digits that are given.
 struct Case {
   std::string name;
   std::string file;
