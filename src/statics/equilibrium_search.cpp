@@ -48,6 +48,8 @@ void EquilibriumSearch::take(const Vector& solution, const Vector& response, dou
   if (field_.hold) {
     const Eigen::Map<const Vector> direction(field_.hold->direction().data(), step.size());
     step -= response * (direction.dot(step) / direction.dot(response));
+    // Where the rotation is soft both are large, and their difference turns by its rounding.
+    step -= direction * (direction.dot(step) / direction.squaredNorm());
   }
   const double slope = step.dot(force());
   if (slope > 0.0 && std::isfinite(slope)) {
