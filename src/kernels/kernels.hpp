@@ -182,8 +182,8 @@ struct Kernels {
   void (*substitute)(const Panels& panels, double* pairs, double* scratch);
   /// The same of one number a row; `scratch` has kQuad places a quad.
   void (*substitute_one)(const Panels& panels, double* numbers, double* scratch);
-  /// y = A x.
-  void (*multiply)(const DenseMatrix& matrix, const double* x, double* y);
+  /// y = A x, of so many columns x.
+  void (*multiply)(const DenseMatrix& matrix, const double* x, std::int64_t sides, double* y);
   LaneKernels lanes;
 };
 

@@ -208,6 +208,8 @@ BulkModes bulk_modes(const Lattice& lattice, Compliance& compliance, double a) {
   modes.shapes.col(0) = turn / std::sqrt(modes.inertia);
   modes.shapes.rightCols(size - 1).noalias() =
       space * (solver.eigenvectors() / std::sqrt(point_mass));
+  modes.onto_points = PaddedMatrix(modes.shapes);
+  modes.onto_modes = PaddedMatrix(modes.shapes.transpose());
   Eigen::MatrixXd turned(modes.shapes.rows(), size);
   const Eigen::Index n = modes.arm.rows();
   turned << -modes.shapes.bottomRows(n), modes.shapes.topRows(n);

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <vector>
 
+#include "kernels/padded_matrix.hpp"
 #include "lattice/lattice.hpp"
 #include "statics/compliance.hpp"
 
@@ -30,6 +31,8 @@ struct BulkModes {
   double inertia;                    ///< M R²
   std::vector<std::int32_t> points;  ///< that can come into contact, the lowest first
   Eigen::MatrixXd shapes;            ///< rows: along x of all points, then along y; M^(−1/2)
+  PaddedMatrix onto_points;          ///< shapes
+  PaddedMatrix onto_modes;           ///< transposed
   Eigen::VectorXd stiffness;         ///< of each shape: frequency² for k_a = 1 M c²/R²
   Eigen::MatrixXd damping;           ///< for η = 1 M c/R
   Eigen::MatrixXd turning;           ///< of shapes by a right angle: Sᵀ m J S

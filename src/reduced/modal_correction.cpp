@@ -173,7 +173,7 @@ ForceCourse defect(const ModalSystem& system, const ForceField& field, const Pas
                     system.law.k_a * modes.stiffness.cwiseProduct(amplitudes.col(k));
     others(0, k) -= turned(u.col(k)).dot(all.wall(instant)) / std::sqrt(modes.inertia);
   }
-  others.noalias() += modes.shapes.transpose() * elastic;
+  others += modes.onto_modes * elastic;
   return {pass.begin, pace.step * pace.steps_between, std::move(others)};
 }
 
@@ -237,7 +237,7 @@ double part_outside(const ModalSystem& system, const ForceField& field, Complian
   const BulkModes& modes = *system.modes;
   const std::vector<Instant> instants = strongest(pass);
   const Eigen::MatrixXd u = elastic_displacements(modes, joined(instants, &ModalState::amplitudes));
-  const Eigen::MatrixXd velocities = modes.shapes * joined(instants, &ModalState::rates);
+  const Eigen::MatrixXd velocities = modes.onto_points * joined(instants, &ModalState::rates);
   AllForces all(system, field);
   Eigen::MatrixXd elastic(u.rows(), u.cols());
   Eigen::MatrixXd rest(u.rows(), u.cols());
@@ -246,8 +246,7 @@ double part_outside(const ModalSystem& system, const ForceField& field, Complian
     rest.col(k) = all.wall(instants[static_cast<std::size_t>(k)]) + elastic.col(k);
     if (field.bonds.damped()) rest.col(k) += all.damping(velocities.col(k));
   }
-  const Eigen::MatrixXd held = modes.shapes.transpose() * rest;
-  rest -= field.point_mass * (modes.shapes * held);
+  rest -= field.point_mass * (modes.onto_points * (modes.onto_modes * rest));
   for (auto along : {rest.topRows(u.rows() / 2), rest.bottomRows(u.rows() / 2)}) {
     along.rowwise() -= along.colwise().mean();
   }
@@ -343,8 +342,9 @@ class Iteration {
 }  // namespace
 
 Eigen::MatrixXd elastic_displacements(const BulkModes& modes, const Eigen::MatrixXd& amplitudes) {
-  const Eigen::Index elastic = amplitudes.rows() - 1;
-  return modes.shapes.rightCols(elastic) * amplitudes.bottomRows(elastic);
+  Eigen::MatrixXd elastic = amplitudes;
+  elastic.row(0).setZero();
+  return modes.onto_points * elastic;
 }
 
 ModalState modal_state(const BulkModes& modes, const State& start) {

@@ -8,7 +8,7 @@
 namespace impact {
 namespace {
 
-constexpr double kImplicit = 0.35;
+constexpr double kAddedMass = 1.0 / 12.0;  // over h² Λ
 
 }  // namespace
 
@@ -51,13 +51,13 @@ ModalDynamics::ModalDynamics(ModalSystem system, ModalState start, double step)
 
 void ModalDynamics::set_step(double step) {
   step_ = step;
+  inertia_ = 1.0 + kAddedMass * step * step * stiffness_.array();
   Eigen::MatrixXd matrix = 0.5 * step * system_.law.eta * system_.modes->damping;
-  matrix.diagonal() += (1.0 + kImplicit * step * step * stiffness_.array()).matrix();
-  inverse_ = PaddedMatrix(
-      matrix.llt().solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols())));
-  const Eigen::ArrayXd mass = 1.0 + (kImplicit - 0.25) * step * step * stiffness_.array();
+  matrix.diagonal() += (inertia_ + 0.25 * step * step * stiffness_.array()).matrix();
+  inverse_ =
+      PaddedMatrix(matrix.llt().solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols())));
   const Eigen::MatrixXd of_modes =
-      heights_ * mass.inverse().matrix().asDiagonal() * heights_.transpose();
+      heights_ * inertia_.inverse().matrix().asDiagonal() * heights_.transpose();
   const double of_the_centre = 1.0;
   response_ = PaddedMatrix((of_modes.array() + of_the_centre).abs().matrix());
 }
@@ -67,20 +67,25 @@ double ModalDynamics::contact_rate() const {
   return system_.wall.a() * rates_.maxCoeff();
 }
 
-/// h D q̇½ = 2 (q̇ₙ + h Fₙ/2 − q̇½) − h² Λ q̇½/2.
+double ModalDynamics::kinetic_energy() const {
+  return 0.5 *
+         (state_.velocity * state_.velocity + (inertia_ * state_.rates.array().square()).sum());
+}
+
+/// h D q̇½ = 2 (μ q̇ₙ + h Fₙ/2 − (μ + h² Λ/4) q̇½).
 double ModalDynamics::step() {
-  kicked_ = state_.rates + 0.5 * step_ * force_;
+  kicked_ = (inertia_ * state_.rates.array()).matrix() + 0.5 * step_ * force_;
   inverse_.multiply(kicked_, product_);
   middle_ = product_.head(kicked_.size());
-  damped_ = 2.0 * (kicked_ - middle_ -
-                   kImplicit * step_ * step_ * stiffness_.cwiseProduct(middle_));
+  damped_ = 2.0 * (kicked_.array() -
+                   (inertia_ + 0.25 * step_ * step_ * stiffness_.array()) * middle_.array());
   state_.amplitudes += step_ * middle_;
   state_.velocity += 0.5 * step_ * force();
   state_.height += step_ * state_.velocity;
   time_ += step_;
   update_forces();
   state_.velocity += 0.5 * step_ * force();
-  state_.rates = kicked_ - damped_ + 0.5 * step_ * force_;
+  state_.rates = (kicked_ - damped_ + 0.5 * step_ * force_).array() / inertia_;
   return damped_.dot(middle_);
 }
 

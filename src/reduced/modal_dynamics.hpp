@@ -44,17 +44,21 @@ struct ModalState {
 ///   q̈ = −Λ q − D q̇ + Tᵀ f + g(t),  Ÿ = Σ f,  f = a V₀ exp(−a y),
 ///   y = Y + (sin φ, cos φ)·(s + u),
 /// the force on the rotation being the torque at the lever arms s + u. Stepped as Imex steps all
-/// points, of order 2: (1 + h D/2 + h² Λ/4) q̇½ = q̇ₙ + h Fₙ/2, qₙ₊₁ = qₙ + h q̇½, q̇ₙ₊₁ = q̇ₙ +
-/// h (Fₙ + Fₙ₊₁)/2 − h D q̇½, F the forces without damping. One product with the inverse a step.
+/// points, of order 2, with one product with an inverse a step:
+///   (μ + h D/2 + h² Λ/4) q̇½ = μ q̇ₙ + h Fₙ/2,  qₙ₊₁ = qₙ + h q̇½,
+///   μ q̇ₙ₊₁ = μ q̇ₙ + h (Fₙ + Fₙ₊₁)/2 − h D q̇½,
+/// F the forces without damping. The wall, stiff as κ = a f on a point, needs h² κ below 4 times
+/// the mass that it meets. With μ = 1 that is at most a point's, since what is solved for lends no
+/// inertia. So modes get some, μ = 1 + h² Λ/12: contacts which are softer than the lattice below
+/// them then hold in steps of any length, and errors stay h².
 class ModalDynamics {
  public:
   ModalDynamics(ModalSystem system, ModalState start, double step);
 
   void set_step(double step);
   /// Bound of the square of the frequency (c/R) that the wall, stiff as now, gives to the points in
-  /// contact in steps like this: the greatest sum of a row of |G| a f, with G q̈ per force. As bonds
-  /// are solved for, points take their neighbours along, the more the longer the step: G is H (1 +
-  /// h D/2 + h² Λ/4)⁻¹ Hᵀ, H the rows that give their heights. Stable below 4/h².
+  /// contact, stable below 4/h²: the greatest sum of a row of |H μ⁻¹ Hᵀ| a f, H the rows that give
+  /// their heights.
   double contact_rate() const;
   /// From now on.
   void set_correction(std::shared_ptr<const ForceCourse> correction) {
@@ -65,7 +69,9 @@ class ModalDynamics {
 
   const ModalState& state() const { return state_; }
   const ModalSystem& system() const { return system_; }
-  double time() const { return time_; }                                  ///< since the start, R/c
+  double time() const { return time_; }  ///< since the start, R/c
+  /// M c², without what a motion along x has.
+  double kinetic_energy() const;
   double angle() const { return state_.amplitudes(0) / root_inertia_; }  ///< rad
   double spin() const { return state_.rates(0) / root_inertia_; }        ///< c/R
   double angular_acceleration() const { return force_(0) / root_inertia_; }
@@ -84,13 +90,14 @@ class ModalDynamics {
   double step_ = 0.0;
   double root_inertia_;
   Eigen::VectorXd stiffness_;
+  Eigen::ArrayXd inertia_;   ///< μ
   PointArray arm_;           ///< of the points in contact
   Eigen::MatrixXd heights_;  ///< of these points, by the modes
   /// Displacements of these points, along x and then along y, by the modes but the rotation.
   PaddedMatrix displacements_;
   PaddedMatrix transposed_;
   PaddedMatrix inverse_;
-  PaddedMatrix response_;  ///< |G|
+  PaddedMatrix response_;  ///< |H μ⁻¹ Hᵀ|
   Eigen::VectorXd displaced_;
   Eigen::ArrayXd x_;
   Eigen::ArrayXd y_;

@@ -60,8 +60,7 @@ void ModalMotion::limit_step() {
 
 /// To first order in the displacements.
 double ModalMotion::kinetic_energy() const {
-  const ModalState& now = dynamics_.state();
-  return 0.5 * (sideways_ * sideways_ + now.velocity * now.velocity + now.rates.squaredNorm());
+  return 0.5 * sideways_ * sideways_ + dynamics_.kinetic_energy();
 }
 
 const State& ModalMotion::state() const {
