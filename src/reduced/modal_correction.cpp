@@ -11,7 +11,7 @@
 namespace impact {
 namespace {
 
-constexpr double kWayOfStep = 0.1;             // a v h
+constexpr double kWayOfStep = 0.2;             // a v h
 constexpr double kWayOfInstants = 0.6;         // a v between two
 constexpr double kLeastForce = 0.01;           // of the greatest: where instants begin and end
 constexpr double kTail = 1e-12;                // of the energy before: where the wall has ended

@@ -31,7 +31,8 @@ constexpr double kStagnation = 0.7;
 constexpr std::size_t kRunsToCompare = 3;
 constexpr std::size_t kErraticRunsToCompare = 5;
 constexpr std::size_t kRunsThatShowAnOrder = 4;
-/// The largest estimate, over numerics.error, that is accepted without a fourth run.
+/// The largest estimate, but for what a model leaves out, over numerics.error, that is accepted
+/// without a fourth run.
 constexpr double kUnconfirmed = 0.1;
 constexpr int kMostFailures = 4;
 /// Of steps, after which plans are given up.
@@ -186,7 +187,9 @@ bool ErrorControl::accepts(const FinishedImpact& run) {
   }
   conclude(run.tail_error + run.error_by_hops * std::min(1.0, way_in(run.step)) + rounding(run),
            run.model_error);
-  accepted_ = estimated_error_ <= scene_.numerics.error * (is_confirmed() ? 1.0 : kUnconfirmed);
+  const double error = scene_.numerics.error;
+  const double by_steps = estimated_error_ - run.model_error.restitution;
+  accepted_ = estimated_error_ <= error && (is_confirmed() || by_steps <= kUnconfirmed * error);
   if (!accepted_) {
     refine_by_estimate();
   } else if (may_agree_by_chance(run)) {
