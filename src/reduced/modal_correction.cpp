@@ -12,6 +12,7 @@ namespace impact {
 namespace {
 
 constexpr double kWayOfStep = 0.2;             // a v h
+constexpr int kRefinement = 4;                 // of the last pass
 constexpr double kWayOfInstants = 0.6;         // a v between two
 constexpr double kLeastForce = 0.01;           // of the greatest: where instants begin and end
 constexpr double kTail = 1e-12;                // of the energy before: where the wall has ended
@@ -294,13 +295,22 @@ class Iteration {
 
   /// False if the corrected body does not come back.
   bool improve() {
-    dynamics_.set_correction(
-        std::make_shared<const ForceCourse>(defect(dynamics_.system(), field_, pass_, pace_)));
+    correct();
     const Pass before = std::exchange(pass_, {});
     if (!run_through(dynamics_, pace_, pass_)) return false;
     const Change change = change_of(before, pass_);
     if (++corrections_ == 1) first_ = change;
     before_ = std::exchange(latest_, change);
+    return true;
+  }
+
+  /// The correction from a pass in shorter steps. False if that does not come back.
+  bool refine() {
+    pace_.step /= kRefinement;
+    pace_.steps_between *= kRefinement;
+    dynamics_.set_step(pace_.step);
+    if (!run_through(dynamics_, pace_, pass_)) return false;
+    correct();
     return true;
   }
 
@@ -318,6 +328,11 @@ class Iteration {
   std::shared_ptr<const ForceCourse> correction() const { return dynamics_.system().correction; }
 
  private:
+  void correct() {
+    dynamics_.set_correction(
+        std::make_shared<const ForceCourse>(defect(dynamics_.system(), field_, pass_, pace_)));
+  }
+
   /// A single change may be small by chance.
   double rest_of(double Change::*number) const {
     if (corrections_ < 2) return kInfinity;
@@ -365,7 +380,7 @@ ModalCorrection modal_correction(const ModalSystem& system, const ForceField& fi
     goes_on = iteration.improve();
     if (goes_on && iteration.rest() <= kNegligible * error) break;
   }
-  if (!goes_on) return {nullptr, {kInfinity, kInfinity, kInfinity}};
+  if (!goes_on || !iteration.refine()) return {nullptr, {kInfinity, kInfinity, kInfinity}};
   return {iteration.correction(), iteration.left_out(compliance)};
 }
 
