@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
+#include <limits>
 
 #include "mechanics/imex.hpp"
 #include "mechanics/simulation.hpp"
@@ -83,6 +85,32 @@ TEST(ModalDynamics, SwingsAModeToTheSecondOrder) {
     return dynamics.state().amplitudes(2) - 1e-3 * std::cos(frequency);
   };
   EXPECT_NEAR(error(40) / error(80), 4.0, 0.05);
+}
+
+/// Steps hold as long as h² times the greatest eigenvalue of what the wall adds, H μ⁻¹ Hᵀ a f + the
+/// same of the centre of mass, is below 4. Long steps lower it: their modes are heavier.
+TEST(ModalDynamics, BoundsWhatTheWallAddsToFrequencies) {
+  const DampedDisk disk(10.0);
+  const BulkModes& modes = *disk.modes;
+  const Eigen::Index n = modes.arm.rows();
+  double before = std::numeric_limits<double>::infinity();
+  for (const double step : {0.0, 0.1, 0.5, 3.0}) {
+    const ModalDynamics dynamics(disk.system(), modal_state(modes, disk.above(0.0, kSlowSpeed)),
+                                 step);
+    Eigen::MatrixXd heights = modes.shapes.bottomRows(n)(modes.points, Eigen::all);
+    heights.col(0) = modes.arm(modes.points, 0).matrix() / std::sqrt(modes.inertia);
+    const Eigen::ArrayXd root = (disk.field.wall->a() * dynamics.contact_forces()).array().sqrt();
+    const Eigen::ArrayXd inertia = 1.0 + step * step * modes.stiffness.array() / 12.0;
+    Eigen::MatrixXd added =
+        (heights * inertia.inverse().matrix().asDiagonal() * heights.transpose()).array() + 1.0;
+    added = root.matrix().asDiagonal() * added * root.matrix().asDiagonal();
+    const double greatest =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(added).eigenvalues().maxCoeff();
+    EXPECT_GE(dynamics.contact_rate(), greatest * (1.0 - 1e-12)) << step;
+    EXPECT_LE(dynamics.contact_rate(), 3.0 * greatest) << step;
+    EXPECT_LT(dynamics.contact_rate(), before) << step;
+    before = dynamics.contact_rate();
+  }
 }
 
 /// As ReducedMotion has it.
