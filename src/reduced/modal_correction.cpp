@@ -12,7 +12,7 @@ namespace impact {
 namespace {
 
 constexpr double kWayOfStep = 0.2;             // a v h
-constexpr int kRefinement = 4;                 // of the last pass
+constexpr double kWayOfLastStep = 0.05;        // in the last pass
 constexpr double kWayOfInstants = 0.6;         // a v between two
 constexpr double kLeastForce = 0.01;           // of the greatest: where instants begin and end
 constexpr double kTail = 1e-12;                // of the energy before: where the wall has ended
@@ -27,7 +27,8 @@ constexpr double kByChance = 0.03;
 constexpr double kMismatch = 0.02;
 constexpr double kMarginOfSpace = 5.0;
 constexpr double kRounding = 1e-9;  // of forces outside the space over all
-constexpr double kStrong = 0.1;     // of the greatest force
+constexpr double kRoundingOfChange = 1e-11;
+constexpr double kStrong = 0.1;  // of the greatest force
 constexpr std::size_t kMostStrong = 6;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -304,12 +305,16 @@ class Iteration {
     return true;
   }
 
-  /// The correction from a pass in shorter steps. False if that does not come back.
+  /// The correction from a pass in steps that are short enough. False if that does not come back.
   bool refine() {
-    pace_.step /= kRefinement;
-    pace_.steps_between *= kRefinement;
-    dynamics_.set_step(pace_.step);
-    if (!run_through(dynamics_, pace_, pass_)) return false;
+    const ModalState& start = dynamics_.state();
+    const double way = dynamics_.system().wall.a() * std::abs(start.velocity) * pace_.step;
+    if (const auto parts = static_cast<int>(std::ceil(way / kWayOfLastStep)); parts > 1) {
+      pace_.step /= parts;
+      pace_.steps_between *= parts;
+      dynamics_.set_step(pace_.step);
+      if (!run_through(dynamics_, pace_, pass_)) return false;
+    }
     correct();
     return true;
   }
@@ -338,6 +343,7 @@ class Iteration {
     if (corrections_ < 2) return kInfinity;
     const double latest = latest_.*number;
     const double before = before_.*number;
+    if (std::max(before, latest) < kRoundingOfChange) return kRoundingOfChange;
     if (latest == 0.0) return kByChance * before;
     if (latest >= before) return kInfinity;
     return std::max(
