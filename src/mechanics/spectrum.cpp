@@ -36,12 +36,11 @@ double largest_ritz_value(const std::vector<double>& diagonal,
 }
 
 /// Upper bound of the largest eigenvalue of a symmetric positive semi-definite operator
-/// `multiply(in, out)`.
+/// `multiply(in, out)`, from this vector on.
 template <class Multiply>
-double largest_eigenvalue(Eigen::Index size, const Multiply& multiply) {
-  Vector current = random_unit_vector(size);
-  Vector previous = Vector::Zero(size);
-  Vector next(size);
+double largest_eigenvalue(Vector current, const Multiply& multiply) {
+  Vector previous = Vector::Zero(current.size());
+  Vector next(current.size());
   std::vector<double> diagonal;
   std::vector<double> off_diagonal;
   double largest = 0.0;
@@ -155,8 +154,8 @@ std::vector<Spring> springs_on(const std::vector<std::int32_t>& points, double s
 
 /// Of a lattice with k_a = 1.
 double largest_stiffness(const Lattice& lattice, const std::vector<Direction>& direction,
-                         const std::vector<Spring>& springs) {
-  return largest_eigenvalue(2 * lattice.points.rows(), [&](const Vector& in, Vector& out) {
+                         const std::vector<Spring>& springs, const Vector& start) {
+  return largest_eigenvalue(start, [&](const Vector& in, Vector& out) {
     out.setZero();
     add_springs(springs, in, out);
     add_stiffness(lattice, direction, in, out);
@@ -164,7 +163,8 @@ double largest_stiffness(const Lattice& lattice, const std::vector<Direction>& d
 }
 
 double largest_laplacian_eigenvalue(const Lattice& lattice) {
-  return largest_eigenvalue(lattice.points.rows(), [&](const Vector& in, Vector& out) {
+  const Vector start = random_unit_vector(lattice.points.rows());
+  return largest_eigenvalue(start, [&](const Vector& in, Vector& out) {
     out.setZero();
     for (const Bond& bond : lattice.bonds) {
       const double difference = in(bond.first) - in(bond.second);
@@ -188,14 +188,15 @@ Spectrum lattice_spectrum(const Lattice& lattice, const BondLaw& law, double poi
                           const std::vector<std::int32_t>& outer) {
   const std::vector<Direction> direction = directions(lattice);
   const double unit = law.k_a / point_mass;
-  const double stiffness = largest_stiffness(lattice, direction, {});
+  const Vector start = random_unit_vector(2 * lattice.points.rows());
+  const double stiffness = largest_stiffness(lattice, direction, {}, start);
   Spectrum spectrum;
   spectrum.omega_squared = unit * stiffness;
   if (!outer.empty()) {
     const double stiffening = Spectrum::kStiffening * stiffness;
     spectrum.stiffened =
-        unit *
-        largest_stiffness(lattice, direction, springs_on(outer, stiffening, lattice, direction));
+        unit * largest_stiffness(lattice, direction,
+                                 springs_on(outer, stiffening, lattice, direction), start);
   }
   if (law.eta != 0.0) {
     spectrum.gamma = law.eta * largest_laplacian_eigenvalue(lattice) / point_mass;
