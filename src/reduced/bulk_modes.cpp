@@ -12,10 +12,10 @@
 namespace impact {
 namespace {
 
-constexpr double kDeepest = 0.012;  // R, to which a disk may be pressed in
-constexpr double kReach = 20.0;     // ranges of the wall above that
-constexpr double kStatic = 0.01;    // of the largest displacement: the least that a point adds
-constexpr double kDamped = 5e-4;    // the same of the damping
+constexpr double kDeepest = 0.012;     // R, to which a disk may be pressed in
+constexpr double kReachOfWall = 20.0;  // ranges of the wall above that
+constexpr double kStatic = 0.01;       // of the largest displacement: the least that a point adds
+constexpr double kDamped = 5e-4;       // the same of the damping
 constexpr int kBent = 4;
 constexpr double kNothingNew = 1e-9;
 constexpr int kDistributions = 4;
@@ -45,11 +45,11 @@ Sparse unit_damping(const Lattice& lattice) {
     both.push_back(entry);
     both.emplace_back(n + entry.row(), n + entry.col(), entry.value());
   }
-  return matrix_of(both, 2 * n);
+  return matrix_of(both, 2 * lattice.points.rows());
 }
 
 std::vector<std::int32_t> points_in_reach(const PointArray& arm, double a) {
-  const double highest = arm.col(1).minCoeff() + kDeepest + kReach / a;
+  const double highest = arm.col(1).minCoeff() + kDeepest + kReachOfWall / a;
   std::vector<std::int32_t> points;
   for (std::int32_t i = 0; i < arm.rows(); ++i) {
     if (arm(i, 1) < highest) points.push_back(i);
@@ -160,8 +160,8 @@ Eigen::MatrixXd subspace(const Lattice& lattice, Compliance& compliance, const B
   const Eigen::ArrayXd weights = weights_of(modes.arm, modes.points, a);
   Eigen::MatrixXd slow = responses(compliance, forces_on(modes.points, weights, n));
   const double largest = slow.colwise().norm().maxCoeff();
-  Subspace space(2 * n,
-                 (1 + kDampedMoments) * slow.cols() + kDistributions * (kMoments + kDistributions));
+  Subspace space(2 * n, (1 + kDampedMoments) * slow.cols() +
+                            Eigen::Index{kDistributions} * (kMoments + kDistributions));
   space.add(slow, kStatic * largest);
 
   Eigen::MatrixXd swinging = slow * distributions(modes.arm, modes.points, weights);

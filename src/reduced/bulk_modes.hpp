@@ -28,7 +28,7 @@ namespace impact {
 /// force that reaches it, and what adds less than a small part of the largest is left out.
 struct BulkModes {
   PointArray arm;                    ///< points about the centre of mass, R
-  double inertia;                    ///< M R²
+  double inertia = 0.0;              ///< M R²
   std::vector<std::int32_t> points;  ///< that can come into contact, the lowest first
   Eigen::MatrixXd shapes;            ///< rows: along x of all points, then along y; M^(−1/2)
   PaddedMatrix onto_points;          ///< shapes

@@ -17,8 +17,8 @@ constexpr double kWayOfInstants = 0.6;         // a v between two
 constexpr double kLeastForce = 0.01;           // of the greatest: where instants begin and end
 constexpr double kTail = 1e-12;                // of the energy before: where the wall has ended
 constexpr double kStiffestOfPass = 4.0 / 1.5;  // a f h²/m on a point, with a margin
-constexpr int kMostSteps = 10000;
-constexpr int kMostHalvings = 20;
+constexpr int kMostStepsOfPass = 10000;
+constexpr int kMostHalvingsOfPace = 20;
 constexpr int kMostCorrections = 4;
 constexpr double kNegligible = 0.1;  // of the wanted error
 // Margins, see ModalCorrection:
@@ -26,7 +26,7 @@ constexpr double kMarginOfLatest = 0.5;
 constexpr double kByChance = 0.03;
 constexpr double kMismatch = 0.02;
 constexpr double kMarginOfSpace = 5.0;
-constexpr double kRounding = 1e-9;  // of forces outside the space over all
+constexpr double kRoundingOfForces = 1e-9;  // of forces outside the space over all
 constexpr double kRoundingOfChange = 1e-11;
 constexpr double kStrong = 0.1;  // of the greatest force
 constexpr std::size_t kMostStrong = 6;
@@ -61,7 +61,7 @@ bool run_through(ModalDynamics dynamics, const Pace& pace, Pass& pass) {
   const double interval = pace.step * pace.steps_between;
   pass = {};
   for (int steps = 0; dynamics.state().velocity < 0.0 || dynamics.force() > least; ++steps) {
-    if (steps > kMostSteps || !(dynamics.contact_rate() < most)) return false;
+    if (steps > kMostStepsOfPass || !(dynamics.contact_rate() < most)) return false;
     pass.largest_force = std::max(pass.largest_force, dynamics.force());
     const bool is_instant = steps % pace.steps_between == 0 && dynamics.force() > least;
     if (is_instant) {
@@ -201,7 +201,7 @@ double twice_energy_outside(AllForces& all, double k_a, Compliance& compliance,
                             const Eigen::VectorXd& u, const Eigen::VectorXd& elastic,
                             const Eigen::VectorXd& rest) {
   const Response first = response_to(rest, k_a, compliance);
-  if (rest.norm() < kRounding * elastic.norm()) return first.twice_energy;
+  if (rest.norm() < kRoundingOfForces * elastic.norm()) return first.twice_energy;
   const Response second =
       response_to(all.elastic(u + first.displacements) - elastic + rest, k_a, compliance);
   const double ratio = std::sqrt(second.twice_energy / first.twice_energy);
@@ -285,7 +285,7 @@ class Iteration {
 
   /// The pass without a correction, with a step for which the wall is not too stiff. False: none.
   bool begin() {
-    for (int halvings = 0; halvings < kMostHalvings; ++halvings) {
+    for (int halvings = 0; halvings < kMostHalvingsOfPace; ++halvings) {
       if (run_through(dynamics_, pace_, pass_)) return true;
       pace_.step *= 0.5;
       pace_.steps_between *= 2;

@@ -33,7 +33,7 @@ ModalDynamics::ModalDynamics(ModalSystem system, ModalState start, double step)
       stiffness_(system_.law.k_a * system_.modes->stiffness) {
   const BulkModes& modes = *system_.modes;
   const Eigen::Index n = modes.arm.rows();
-  const Eigen::Index contacts = static_cast<Eigen::Index>(modes.points.size());
+  const auto contacts = static_cast<Eigen::Index>(modes.points.size());
   arm_ = modes.arm(modes.points, Eigen::all);
   Eigen::MatrixXd displacements(2 * contacts, modes.shapes.cols());
   displacements << modes.shapes.topRows(n)(modes.points, Eigen::all),

@@ -20,14 +20,17 @@ std::shared_ptr<const ForceCourse> delayed(const ModalCorrection& correction, do
 
 }  // namespace
 
-ModalMotion::ModalMotion(ForceField field, State initial, std::shared_ptr<const BulkModes> modes,
+ModalMotion::ModalMotion(ForceField field, State initial,
+                         const std::shared_ptr<const BulkModes>& modes,
                          const ModalCorrection& correction, double delay, double step)
     : System(std::move(field), std::move(initial), step),
       x_(state_.position.col(0).mean()),
       sideways_(state_.velocity.col(0).mean()),
       left_out_(correction.left_out),
-      dynamics_({modes, field_.bonds.law(), *field_.wall, delayed(correction, delay)},
-                modal_state(*modes, state_), step) {
+      dynamics_(
+          {modes, field_.bonds.law(), Repulsion(field_.wall->a(), field_.wall->potential_at(0.0)),
+           delayed(correction, delay)},
+          modal_state(*modes, state_), step) {
   take_force();
 }
 

@@ -19,7 +19,7 @@ class ModalMotion : public System {
 
   /// Of a field of bonds and a potential wall, the lattice in its reference configuration at the
   /// start, not turned. The correction is taken `delay` (R/c) later. `step` in R/c.
-  ModalMotion(ForceField field, State initial, std::shared_ptr<const BulkModes> modes,
+  ModalMotion(ForceField field, State initial, const std::shared_ptr<const BulkModes>& modes,
               const ModalCorrection& correction, double delay, double step);
 
   void step();
