@@ -1,5 +1,6 @@
 #include "kernels/threads.hpp"
 
+#include <pthread.h>
 #include <sched.h>
 
 #include <algorithm>
@@ -90,6 +91,21 @@ void share_out(Eigen::Index count, int threads, const std::function<void(Eigen::
     for (Eigen::Index k = 0; k < helpers; ++k) boost::asio::post(pool, [job] { job->help(); });
   }
   job->finish();
+}
+
+void JoinAndDelete::operator()(std::thread* thread) const {
+  thread->join();
+  delete thread;
+}
+
+void send_away(std::thread& thread) {
+  cpu_set_t allowed;
+  if (pthread_getaffinity_np(pthread_self(), sizeof(allowed), &allowed) != 0) return;
+  cpu_set_t others = allowed;
+  CPU_CLR(sched_getcpu(), &others);
+  if (CPU_COUNT(&others) == 0) return;
+  pthread_setaffinity_np(thread.native_handle(), sizeof(others), &others);
+  pthread_setaffinity_np(thread.native_handle(), sizeof(allowed), &allowed);
 }
 
 }  // namespace impact

@@ -2,6 +2,9 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
+#include <thread>
+#include <utility>
 
 namespace impact {
 
@@ -24,5 +27,27 @@ int threads_of_a_run();
 /// @throw the first exception that `work` throws, when no piece is being worked on any more; the
 /// pieces that nobody has begun are left out.
 void share_out(Eigen::Index count, int threads, const std::function<void(Eigen::Index)>& work);
+
+struct JoinAndDelete {
+  void operator()(std::thread* thread) const;
+};
+
+/// Waited for when its owner lets go of it.
+using JoinedThread = std::unique_ptr<std::thread, JoinAndDelete>;
+
+/// Where the thread waits behind the calling one, lets it begin on another processor that the
+/// program may use. A kernel does not always see to that: on virtual machines Linux takes a
+/// processor that is halted for a busy one, so that a new thread waits for a time slice, some
+/// milliseconds, while the processor beside it is idle.
+void send_away(std::thread& thread);
+
+/// A thread that begins with `work` at once, where a processor is free.
+/// @throw std::system_error when no thread is to be had
+template <class Work>
+JoinedThread begin_elsewhere(Work work) {
+  JoinedThread thread(new std::thread(std::move(work)));
+  send_away(*thread);
+  return thread;
+}
 
 }  // namespace impact

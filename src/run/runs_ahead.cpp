@@ -37,9 +37,11 @@ void RunsAhead::give_up_all_but(const Resolution& present, const std::vector<Res
 void RunsAhead::begin_one(const Resolution& resolution) {
   auto given_up = std::make_shared<std::atomic<bool>>(false);
   try {
-    auto run = std::async(std::launch::async,
-                          [this, resolution, given_up] { return make(resolution, *given_up); });
-    ahead_.push_back({resolution, std::move(given_up), std::move(run)});
+    std::packaged_task<std::optional<Run>()> work(
+        [this, resolution, given_up] { return make(resolution, *given_up); });
+    std::future<std::optional<Run>> run = work.get_future();
+    ahead_.push_back(
+        {resolution, std::move(given_up), std::move(run), begin_elsewhere(std::move(work))});
   } catch (const std::system_error&) {  // no thread is to be had: it is made when it is asked for
   }
 }

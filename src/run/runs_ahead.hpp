@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernels/threads.hpp"
 #include "run/compose.hpp"
 #include "run/run.hpp"
 
@@ -43,6 +44,7 @@ class RunsAhead {
     Resolution resolution;
     std::shared_ptr<std::atomic<bool>> given_up;
     std::future<std::optional<Run>> run;  ///< nothing: failed or given up
+    JoinedThread thread;
   };
 
   void give_up_all_but(const Resolution& present, const std::vector<Resolution>& later);

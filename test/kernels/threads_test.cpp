@@ -1,6 +1,8 @@
 #include "kernels/threads.hpp"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
+#include <sched.h>
 
 #include <atomic>
 #include <chrono>
@@ -90,6 +92,52 @@ TEST(ShareOut, SleepsWhileItWaits) {
   };
   EXPECT_LT(spent(2), 0.1);
   EXPECT_LT(spent(100), 0.1);
+}
+
+std::vector<int> processors_of(pthread_t thread) {
+  cpu_set_t allowed;
+  EXPECT_EQ(pthread_getaffinity_np(thread, sizeof(allowed), &allowed), 0);
+  std::vector<int> processors;
+  for (int k = 0; k < CPU_SETSIZE; ++k) {
+    if (CPU_ISSET(k, &allowed)) processors.push_back(k);
+  }
+  return processors;
+}
+
+/// It may go wherever its maker may, once it has begun, and so may its maker.
+TEST(BeginElsewhere, LeavesAllProcessorsToBoth) {
+  const std::vector<int> before = processors_of(pthread_self());
+  std::promise<void> go_on;
+  std::vector<int> own;
+  {
+    const JoinedThread thread = begin_elsewhere([&] {
+      go_on.get_future().wait();
+      own = processors_of(pthread_self());
+    });
+    go_on.set_value();
+  }
+  EXPECT_EQ(own, before);
+  EXPECT_EQ(processors_of(pthread_self()), before);
+}
+
+/// Even one that was bound to the processor of its maker.
+TEST(BeginElsewhere, FreesAThreadFromTheProcessorOfItsMaker) {
+  const std::vector<int> all = processors_of(pthread_self());
+  if (all.size() < 2) GTEST_SKIP() << "one processor";
+  std::promise<void> go_on;
+  std::vector<int> own;
+  std::thread thread([&] {
+    go_on.get_future().wait();
+    own = processors_of(pthread_self());
+  });
+  cpu_set_t here;
+  CPU_ZERO(&here);
+  CPU_SET(sched_getcpu(), &here);
+  ASSERT_EQ(pthread_setaffinity_np(thread.native_handle(), sizeof(here), &here), 0);
+  send_away(thread);
+  go_on.set_value();
+  thread.join();
+  EXPECT_EQ(own, all);
 }
 
 }  // namespace
