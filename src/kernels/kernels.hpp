@@ -10,6 +10,9 @@ namespace impact {
 /// Points are treated in slices of this many.
 constexpr int kSlice = 8;
 
+/// As many as hold so many points.
+constexpr std::int64_t whole_slices(std::int64_t points) { return (points + kSlice - 1) / kSlice; }
+
 /// Sums over points are taken over parts of so many, and then over the parts.
 constexpr int kPart = 2048;
 

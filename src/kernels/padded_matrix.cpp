@@ -5,7 +5,7 @@ namespace impact {
 PaddedMatrix::PaddedMatrix(const Eigen::MatrixXd& matrix, const Kernels& kernels)
     : kernels_(&kernels),
       rows_(matrix.rows()),
-      values_((matrix.rows() + kSlice - 1) / kSlice * kSlice, matrix.cols()) {
+      values_(kSlice * whole_slices(matrix.rows()), matrix.cols()) {
   values_.topRows(rows_) = matrix;
   values_.bottomRows(values_.rows() - rows_).setZero();
 }

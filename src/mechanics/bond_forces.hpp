@@ -127,7 +127,6 @@ class BondForces {
   };
   static std::shared_ptr<const Table> table_of(const Lattice& lattice);
   static PartsNeeded parts_needed(const Table& table);
-  static Eigen::Index whole_slices(Eigen::Index points) { return (points + kSlice - 1) / kSlice; }
 
   /// Calls use(i, j, natural length) for each bond of each point i in these rows, of the first body
   /// or those of its law.

@@ -25,6 +25,8 @@ class Repulsion {
   Repulsion(double a, double v0) : a_(a), v0_(v0) {}
 
   double a() const { return a_; }
+  /// Of a contact, without what it has measured.
+  Repulsion repulsion() const { return *this; }
   /// Force across this gap (R), in M c²/R.
   double force_at(double gap) const { return a_ * v0_ * std::exp(-a_ * gap); }
   /// Potential energy across this gap (R), in M c².

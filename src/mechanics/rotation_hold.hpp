@@ -22,9 +22,13 @@ class RotationHold : public ForceTerm {
   }
 
   /// Adds the constraint's forces.
-  void constrain(PointArray& force) {
-    multiplier_ = -(direction_ * force).sum() / norm_squared_;
-    force += multiplier_ * direction_;
+  void constrain(PointArray& force) { multiplier_ = take_out_rotation(force); }
+
+  /// What turns the body, of forces or displacements: adds the returned multiple of direction().
+  double take_out_rotation(PointArray& vectors) const {
+    const double multiplier = -(direction_ * vectors).sum() / norm_squared_;
+    vectors += multiplier * direction_;
+    return multiplier;
   }
 
   /// ẑ × R_i: the constraint keeps its sum of products with the displacements at zero.

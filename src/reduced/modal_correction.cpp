@@ -11,11 +11,12 @@
 namespace impact {
 namespace {
 
-constexpr double kWayOfStep = 0.2;             // a v h
-constexpr double kWayOfLastStep = 0.05;        // in the last pass
-constexpr double kWayOfInstants = 0.6;         // a v between two
-constexpr double kLeastForce = 0.01;           // of the greatest: where instants begin and end
-constexpr double kTail = 1e-12;                // of the energy before: where the wall has ended
+constexpr double kWayOfStep = 0.2;       // a v h
+constexpr double kWayOfLastStep = 0.05;  // in the last pass
+constexpr double kWayOfInstants = 0.6;   // a v between two
+constexpr double kLeastForce = 0.01;     // of the greatest: where instants begin and end
+constexpr double kFirstForce = 1e-4;     // likewise: where a pass begins
+constexpr double kTail = 1e-3;  // times the error, of the energy before: where the wall has ended
 constexpr double kStiffestOfPass = 4.0 / 1.5;  // a f h²/m on a point, with a margin
 constexpr int kMostStepsOfPass = 10000;
 constexpr int kMostHalvingsOfPace = 20;
@@ -53,17 +54,25 @@ struct Pace {
   int steps_between;  ///< two instants
 };
 
+/// Where it is left, if the body is on its way back: the force (M c²/R) and a time (R/c).
+struct End {
+  double force;
+  double time = kInfinity;
+};
+
 /// True of a run that went through: the wall was not too stiff for the step.
-bool run_through(ModalDynamics dynamics, const Pace& pace, Pass& pass) {
-  const double before = std::abs(dynamics.state().velocity);
-  const double least = kTail * 0.5 * before * before * dynamics.system().wall.a();
+bool run_through(ModalDynamics dynamics, const Pace& pace, const End& end, Pass& pass) {
   const double most = kStiffestOfPass / (pace.step * pace.step);
   const double interval = pace.step * pace.steps_between;
   pass = {};
-  for (int steps = 0; dynamics.state().velocity < 0.0 || dynamics.force() > least; ++steps) {
+  const auto goes_on = [&] {
+    return dynamics.state().velocity < 0.0 ||
+           (dynamics.force() > end.force && dynamics.time() < end.time);
+  };
+  for (int steps = 0; goes_on(); ++steps) {
     if (steps > kMostStepsOfPass || !(dynamics.contact_rate() < most)) return false;
     pass.largest_force = std::max(pass.largest_force, dynamics.force());
-    const bool is_instant = steps % pace.steps_between == 0 && dynamics.force() > least;
+    const bool is_instant = steps % pace.steps_between == 0 && dynamics.force() > end.force;
     if (is_instant) {
       if (pass.instants.empty()) pass.begin = dynamics.time();
       pass.instants.push_back(
@@ -277,16 +286,21 @@ Change change_of(const Pass& before, const Pass& after) {
 /// Repeated passes, each with the defect of the one before it.
 class Iteration {
  public:
-  Iteration(const ModalSystem& system, const ForceField& field, const State& start)
+  Iteration(const ModalSystem& system, const ForceField& field, const State& start, double error)
       : field_(field),
         pace_{kWayOfStep / (system.wall.a() * std::abs(start.velocity.col(1).mean())),
               static_cast<int>(std::lround(kWayOfInstants / kWayOfStep))},
-        dynamics_(system, modal_state(*system.modes, start), pace_.step) {}
+        dynamics_(system, modal_state(*system.modes, start), pace_.step),
+        end_{kTail * error * dynamics_.kinetic_energy() * system.wall.a()} {}
 
-  /// The pass without a correction, with a step for which the wall is not too stiff. False: none.
+  /// The pass without a correction, with a step for which the wall is not too stiff. Those after it
+  /// begin where it met the wall. False: none.
   bool begin() {
     for (int halvings = 0; halvings < kMostHalvingsOfPace; ++halvings) {
-      if (run_through(dynamics_, pace_, pass_)) return true;
+      if (run_through(dynamics_, pace_, end_, pass_)) {
+        while (dynamics_.force() < kFirstForce * pass_.largest_force) dynamics_.step();
+        return true;
+      }
       pace_.step *= 0.5;
       pace_.steps_between *= 2;
       dynamics_.set_step(pace_.step);
@@ -298,7 +312,7 @@ class Iteration {
   bool improve() {
     correct();
     const Pass before = std::exchange(pass_, {});
-    if (!run_through(dynamics_, pace_, pass_)) return false;
+    if (!run_through(dynamics_, pace_, end_, pass_)) return false;
     const Change change = change_of(before, pass_);
     if (++corrections_ == 1) first_ = change;
     before_ = std::exchange(latest_, change);
@@ -310,10 +324,11 @@ class Iteration {
     const ModalState& start = dynamics_.state();
     const double way = dynamics_.system().wall.a() * std::abs(start.velocity) * pace_.step;
     if (const auto parts = static_cast<int>(std::ceil(way / kWayOfLastStep)); parts > 1) {
+      const End end{end_.force, time_of(pass_.instants.size())};
       pace_.step /= parts;
       pace_.steps_between *= parts;
       dynamics_.set_step(pace_.step);
-      if (!run_through(dynamics_, pace_, pass_)) return false;
+      if (!run_through(dynamics_, pace_, end, pass_)) return false;
     }
     correct();
     return true;
@@ -333,6 +348,11 @@ class Iteration {
   std::shared_ptr<const ForceCourse> correction() const { return dynamics_.system().correction; }
 
  private:
+  /// Of an instant of the latest pass, counted from its first.
+  double time_of(std::size_t instant) const {
+    return pass_.begin + static_cast<double>(instant) * pace_.step * pace_.steps_between;
+  }
+
   void correct() {
     dynamics_.set_correction(
         std::make_shared<const ForceCourse>(defect(dynamics_.system(), field_, pass_, pace_)));
@@ -353,6 +373,7 @@ class Iteration {
   const ForceField& field_;
   Pace pace_;
   ModalDynamics dynamics_;  ///< at the start
+  End end_;
   Pass pass_;
   int corrections_ = 0;
   Change first_;
@@ -380,7 +401,7 @@ ModalState modal_state(const BulkModes& modes, const State& start) {
 
 ModalCorrection modal_correction(const ModalSystem& system, const ForceField& field,
                                  const State& start, Compliance& compliance, double error) {
-  Iteration iteration(system, field, start);
+  Iteration iteration(system, field, start, error);
   bool goes_on = iteration.begin();
   for (int k = 0; goes_on && k < kMostCorrections; ++k) {
     goes_on = iteration.improve();

@@ -6,11 +6,6 @@
 #include <utility>
 
 namespace impact {
-namespace {
-
-constexpr double kAddedMass = 1.0 / 12.0;  // over h² Λ
-
-}  // namespace
 
 void ForceCourse::add_to(Eigen::VectorXd& force, double time) const {
   const double place = (time - begin) / interval;
@@ -51,7 +46,7 @@ ModalDynamics::ModalDynamics(ModalSystem system, ModalState start, double step)
 
 void ModalDynamics::set_step(double step) {
   step_ = step;
-  inertia_ = 1.0 + kAddedMass * step * step * stiffness_.array();
+  inertia_ = 1.0 + kAddedInertia * step * step * stiffness_.array();
   Eigen::MatrixXd matrix = 0.5 * step * system_.law.eta * system_.modes->damping;
   matrix.diagonal() += (inertia_ + 0.25 * step * step * stiffness_.array()).matrix();
   inverse_ =

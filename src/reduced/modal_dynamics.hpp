@@ -53,6 +53,8 @@ struct ModalState {
 /// them then hold in steps of any length, and errors stay h².
 class ModalDynamics {
  public:
+  static constexpr double kAddedInertia = 1.0 / 12.0;  ///< of a mode, over h² Λ
+
   ModalDynamics(ModalSystem system, ModalState start, double step);
 
   void set_step(double step);

@@ -27,10 +27,8 @@ ModalMotion::ModalMotion(ForceField field, State initial,
       x_(state_.position.col(0).mean()),
       sideways_(state_.velocity.col(0).mean()),
       left_out_(correction.left_out),
-      dynamics_(
-          {modes, field_.bonds.law(), Repulsion(field_.wall->a(), field_.wall->potential_at(0.0)),
-           delayed(correction, delay)},
-          modal_state(*modes, state_), step) {
+      dynamics_({modes, field_.bonds.law(), field_.wall->repulsion(), delayed(correction, delay)},
+                modal_state(*modes, state_), step) {
   take_force();
 }
 

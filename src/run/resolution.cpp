@@ -18,6 +18,7 @@
 #include "mechanics/motion.hpp"
 #include "mechanics/takahashi_imada.hpp"
 #include "mechanics/velocity_verlet.hpp"
+#include "reduced/modal_dynamics.hpp"
 #include "run/expected_time.hpp"
 #include "run/slow_impact.hpp"
 #include "scene/scene_parameters.hpp"
@@ -137,7 +138,8 @@ double inertia_of_points(const Scene& scene, IntegratorKind integrator, const Ra
                          double step) {
   constexpr double kCompliance = 2.5;
   if (integrator != IntegratorKind::kModal || rates.met) return 1.0;
-  return 1.0 + step * step * scene.material.k_a * points_of(rates.spacing) / (12.0 * kCompliance);
+  const double stiffness = scene.material.k_a * points_of(rates.spacing) / kCompliance;
+  return 1.0 + ModalDynamics::kAddedInertia * step * step * stiffness;
 }
 
 double longest_step(const Scene& scene, IntegratorKind integrator, const Rates& rates) {

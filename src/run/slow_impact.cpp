@@ -71,9 +71,9 @@ std::unique_ptr<ModalMotion> modal_impact(const Scene& scene, const Composition&
   const ForceField& field = composition.field;
   const auto modes = bodies.modes->of(bodies.disk(), *bodies.compliance, scene.wall.a);
   const ModalCorrection& correction = composition.modal_correction->of([&] {
-    const Repulsion wall(field.wall->a(), field.wall->potential_at(0.0));
-    return modal_correction({modes, field.bonds.law(), wall, nullptr}, field, composition.initial,
-                            *bodies.compliance->of(bodies.disk()), scene.numerics.error);
+    return modal_correction({modes, field.bonds.law(), field.wall->repulsion(), nullptr}, field,
+                            composition.initial, *bodies.compliance->of(bodies.disk()),
+                            scene.numerics.error);
   });
   return std::make_unique<ModalMotion>(field, start_of(composition, resolution), modes, correction,
                                        resolution.lift / scene.impact.normal_velocity(),

@@ -48,8 +48,6 @@ void EquilibriumSearch::take(const Vector& solution, const Vector& response, dou
   if (field_.hold) {
     const Eigen::Map<const Vector> direction(field_.hold->direction().data(), step.size());
     step -= response * (direction.dot(step) / direction.dot(response));
-    // Where the rotation is soft both are large, and their difference turns by its rounding.
-    step -= direction * (direction.dot(step) / direction.squaredNorm());
   }
   const double slope = step.dot(force());
   if (slope > 0.0 && std::isfinite(slope)) {
@@ -64,9 +62,11 @@ void EquilibriumSearch::take(const Vector& solution, const Vector& response, dou
   }
 }
 
-/// As points, without a free shift, and within the limit.
+/// As points, without a free shift or what rounding has left of a held rotation where that is soft,
+/// and within the limit.
 PointArray EquilibriumSearch::shaped(const Vector& step) const {
   PointArray moves = Eigen::Map<const PointArray>(step.data(), force_.rows(), 2);
+  if (field_.hold) field_.hold->take_out_rotation(moves);
   for (const int axis : {0, 1}) {
     if (field_.shifts_freely(axis)) moves.col(axis) -= moves.col(axis).mean();
   }
