@@ -199,23 +199,24 @@ BulkModes bulk_modes(const Lattice& lattice, Compliance& compliance, double a) {
   modes.inertia = point_mass * turn.squaredNorm();
 
   const Eigen::MatrixXd space = subspace(lattice, compliance, modes, a);
-  const Eigen::MatrixXd stiffness = space.transpose() * (unit_stiffness(lattice) * space);
+  const Eigen::MatrixXd stiffness =
+      PaddedMatrix(space.transpose()) * (unit_stiffness(lattice) * space);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness);
   const Eigen::Index size = 1 + space.cols();
   modes.stiffness = Eigen::VectorXd::Zero(size);
   modes.stiffness.tail(size - 1) = solver.eigenvalues() / point_mass;
   modes.shapes.resize(space.rows(), size);
   modes.shapes.col(0) = turn / std::sqrt(modes.inertia);
-  modes.shapes.rightCols(size - 1).noalias() =
-      space * (solver.eigenvectors() / std::sqrt(point_mass));
+  modes.shapes.rightCols(size - 1) =
+      PaddedMatrix(space) * (solver.eigenvectors() / std::sqrt(point_mass));
   modes.onto_points = PaddedMatrix(modes.shapes);
   modes.onto_modes = PaddedMatrix(modes.shapes.transpose());
   Eigen::MatrixXd turned(modes.shapes.rows(), size);
   const Eigen::Index n = modes.arm.rows();
   turned << -modes.shapes.bottomRows(n), modes.shapes.topRows(n);
-  modes.turning.noalias() = point_mass * (modes.shapes.transpose() * turned);
-  modes.reach = point_mass * (modes.shapes.transpose() * modes.arm.reshaped().matrix());
-  modes.damping = modes.shapes.transpose() * (unit_damping(lattice) * modes.shapes);
+  modes.turning = point_mass * (modes.onto_modes * turned);
+  modes.reach = point_mass * (modes.onto_modes * modes.arm.reshaped().matrix());
+  modes.damping = modes.onto_modes * (unit_damping(lattice) * modes.shapes);
   return modes;
 }
 

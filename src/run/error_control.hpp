@@ -28,6 +28,7 @@ struct FinishedImpact {
   double stiffest_contact = 0.0;  ///< System::stiffest_contact()
   bool not_separated = false;
   bool folded = false;
+  bool near_fold = false;  ///< Run::is_near_fold()
   bool cut_off = false;
 };
 

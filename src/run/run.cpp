@@ -22,6 +22,11 @@ constexpr int kMostHalvings = 20;
 constexpr double kManyHops = 0.01;  // of the impact's energy
 constexpr std::uint64_t kSlopeSteps = 4;
 constexpr double kPushed = 0.01;  // of the largest force on a point
+constexpr double kLeastAreaLeft = 2.0 / 3.0;
+
+bool moves_less_than_all(IntegratorKind integrator) {
+  return traits_of(integrator).stepping == Stepping::kReduced;
+}
 
 /// The force above which a point is listed as in contact: 10⁻⁶ of the load, or of M v c/R.
 double contact_force(const Scene& scene) {
@@ -175,6 +180,7 @@ void Run::observe_step() {
   if (system_->halvings() > kMostHalvings) {
     throw RunFailure("the wall grew too stiff: the step was halved more than 20 times");
   }
+  if (moves_less_than_all(integrator_) && was_pressed_most()) note_folds();
   if (system_->steps() % kCheckSteps == 0) {
     look();
   } else if (system_->steps() % kAlarmSteps == 0 && monitor_.is_alarming(*system_)) {
@@ -240,6 +246,18 @@ void Run::note_folds() {
     const Body body = system_->field().body(k);
     folded_ = all[k].triangles.turned_over(body.rows_of(state().position)) > 0;
   }
+  if (!moves_less_than_all(integrator_) || near_fold_) return;
+  const BodyOfScene& disk = all.front();
+  near_fold_ =
+      disk.triangles.least_area_left(disk.lattice.points, disk_state().position) < kLeastAreaLeft;
+}
+
+/// At the step before, more than ever.
+bool Run::was_pressed_most() {
+  const double before = std::exchange(force_, system_->field().contact()->total_force().y());
+  if (before < largest_force_) return false;
+  largest_force_ = before;
+  return force_ < before;
 }
 
 void Run::end_motion() {

@@ -80,6 +80,15 @@ std::size_t Triangles::turned_over(const Eigen::Ref<const PointArray>& position)
       }));
 }
 
+double Triangles::least_area_left(const Eigen::Ref<const PointArray>& reference,
+                                  const Eigen::Ref<const PointArray>& position) const {
+  double least = 1.0;
+  for (const auto& [a, b, c] : corners_) {
+    least = std::min(least, signed_area(position, a, b, c) / signed_area(reference, a, b, c));
+  }
+  return least;
+}
+
 std::vector<std::int32_t> Triangles::outer_points(const Lattice& lattice, double depth) const {
   std::vector<int> open(static_cast<std::size_t>(lattice.points.rows()), 0);
   for (const Bond& bond : lattice.bonds) {

@@ -20,6 +20,10 @@ class Triangles {
   /// How many are turned over.
   std::size_t turned_over(const Eigen::Ref<const PointArray>& position) const;
 
+  /// The least part of its area in `reference` that a triangle has; negative: it is turned over.
+  double least_area_left(const Eigen::Ref<const PointArray>& reference,
+                         const Eigen::Ref<const PointArray>& position) const;
+
   std::size_t size() const { return corners_.size(); }
 
   /// Of the lattice whose triangles these are, the points that come into contact first: those with

@@ -79,6 +79,20 @@ TEST(Triangles, TurnOverWhereAPointPassesThroughABond) {
   EXPECT_EQ(triangles.turned_over(position), 1U);
 }
 
+/// Of a triangle between the point and the bond that it is pressed towards, the height that is
+/// left.
+TEST(Triangles, KnowTheLeastPartOfTheirArea) {
+  const Lattice lattice = patch(5);
+  const Triangles triangles(lattice);
+  PointArray position = lattice.points;
+  EXPECT_DOUBLE_EQ(triangles.least_area_left(lattice.points, position), 1.0);
+  const double height = std::sqrt(0.75);
+  position(12, 1) -= 0.8;
+  EXPECT_NEAR(triangles.least_area_left(lattice.points, position), 1.0 - 0.8 / height, 1e-12);
+  position(12, 1) -= 0.2;
+  EXPECT_NEAR(triangles.least_area_left(lattice.points, position), 1.0 - 1.0 / height, 1e-12);
+}
+
 /// Turning the body, or stretching it, folds nothing; a mirror image turns over all.
 TEST(Triangles, KnowADeformationFromAFold) {
   const Lattice lattice = patch(4);
