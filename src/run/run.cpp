@@ -242,14 +242,17 @@ void Run::note_other_rests() {
 
 void Run::note_folds() {
   const std::vector<BodyOfScene>& all = composition_->bodies->all;
+  if (moves_less_than_all(integrator_)) {
+    const BodyOfScene& disk = all.front();
+    const double left = disk.triangles.least_area_left(disk.lattice.points, state().position);
+    folded_ = folded_ || left < 0.0;
+    near_fold_ = near_fold_ || left < kLeastAreaLeft;
+    return;
+  }
   for (std::size_t k = 0; k < all.size() && !folded_; ++k) {
     const Body body = system_->field().body(k);
     folded_ = all[k].triangles.turned_over(body.rows_of(state().position)) > 0;
   }
-  if (!moves_less_than_all(integrator_) || near_fold_) return;
-  const BodyOfScene& disk = all.front();
-  near_fold_ =
-      disk.triangles.least_area_left(disk.lattice.points, disk_state().position) < kLeastAreaLeft;
 }
 
 /// At the step before, more than ever.
