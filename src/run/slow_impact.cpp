@@ -12,6 +12,7 @@ namespace {
 constexpr double kFastestWall = 2.0;    // a v over √(k_a/M)
 constexpr double kFastestDisk = 0.006;  // v over √(k_a R²/M)
 constexpr double kFastestModal = 0.03;  // v over √(k_a R²/M)
+constexpr double kLikely = 0.5;         // of the error: half of all then hold
 constexpr Eigen::Index kFewestModal = 100;
 constexpr double kMostInContact = 100.0;
 constexpr double kLongestWayOfReduced = 0.3;  // a v h of the last run
@@ -28,8 +29,9 @@ double likely_left_out(const Scene& scene, double points) {
   const double of_speed = std::pow(scene.impact.normal_velocity() / root_stiffness / 0.01, 2.25);
   const double of_damping = 1.0 + scene.material.eta / root_stiffness / 3.0;
   const double of_rim = scene.disk.recipe.rim ? 1.0 : 5.0;
-  return 4e-6 * of_speed * of_damping * of_rim * std::pow(scene.wall.a / 300.0, 1.5) *
-         std::sqrt(1099.0 / points);
+  const double of_placement = scene.disk.recipe.placement == Placement::kUniform ? 2.0 : 1.0;
+  return 3e-6 * of_speed * of_damping * of_rim * of_placement *
+         std::pow(scene.wall.a / 300.0, 1.5) * std::sqrt(1099.0 / points);
 }
 
 /// The points within reach of the wall when the disk just touches it: on the rim those of a chord,
@@ -57,7 +59,7 @@ bool may_be_modal(const Scene& scene, Eigen::Index points) {
   return scene.numerics.integrator == IntegratorKind::kAuto && can_be_modal(scene) &&
          scene.is_damped() && scene.flies_without_forces() && !scene.numerics.are_given() &&
          speed <= kFastestModal && points >= kFewestModal &&
-         likely_left_out(scene, static_cast<double>(points)) <= scene.numerics.error &&
+         likely_left_out(scene, static_cast<double>(points)) <= kLikely * scene.numerics.error &&
          points_in_contact(scene, static_cast<double>(points)) <= kMostInContact;
 }
 

@@ -32,8 +32,8 @@ std::unique_ptr<ReducedMotion> slow_impact(const Scene& scene, const Composition
 
 /// Whether `auto` may take the method `modal`: in a scene with damping that can have it (see
 /// can_be_modal()), begins without forces and gives no step, with so many points, if
-///   v ≤ 0.03 √(k_a R²/M), and what it is likely to leave out is at most numerics.error, half of
-///     which it may, and
+///   v ≤ 0.03 √(k_a R²/M), and what it is likely to leave out is at most what it may, half of
+///     numerics.error, and
 ///   it has 100 points at least, and some 100 at most come into contact.
 /// Whether it does is a matter of cost. The run itself says how much it left out, see
 /// ModalCorrection; where that is too much, error control goes over to another method.

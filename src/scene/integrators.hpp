@@ -91,7 +91,7 @@ inline constexpr std::array<IntegratorTraits, 12> kIntegrators{{
     {IntegratorKind::kReduced, "reduced", Stepping::kReduced, 2,
          false, false, false, false, false, AutoChoice::kSlow, 0.5, 0.5, 0.0},
     {IntegratorKind::kModal, "modal", Stepping::kReduced, 2,
-         true, true, true, false, false, AutoChoice::kSlowDamped, 0.36, 0.36, 960.0},
+         true, true, true, false, false, AutoChoice::kSlowDamped, 0.45, 0.45, 1100.0},
     {IntegratorKind::kNewton, "newton", Stepping::kStatic, 0,
          false, false, true, true, true, AutoChoice::kNever, 0.0, 0.0, 0.0},
 }};

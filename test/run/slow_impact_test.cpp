@@ -266,7 +266,7 @@ TEST(ModalImpact, KnowsWhatItsCorrectionLeavesOut) {
 
 /// Then `auto` goes on with all points, and `modal` says what is in the way.
 TEST(ModalImpact, GivesWayWhereItLeavesOutTooMuch) {
-  Scene scene = damped_scene(1.8e-3, 30.0);
+  Scene scene = damped_scene(1.5e-3, 30.0);
   scene.disk.recipe.points = 1099;
   scene.numerics.error = 1e-6;
   ASSERT_EQ(compose(scene).resolution.integrator, IntegratorKind::kModal);
