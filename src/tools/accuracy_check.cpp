@@ -135,7 +135,8 @@ void print_quality(const std::string& name, const Checks& checks) {
 
 void print_by_kind(const Checks& checks, void (*print)(const std::string&, const Checks&)) {
   for (const char* kind : {"contact", "potential wall", "elastic wall"}) {
-    print(kind, of_kind(checks, kind));
+    const Checks chosen = of_kind(checks, kind);
+    if (!chosen.empty()) print(kind, chosen);
   }
   print("all", checks);
 }
