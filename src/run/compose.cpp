@@ -13,6 +13,7 @@
 #include "run/elastic_wall_body.hpp"
 #include "run/expected_time.hpp"
 #include "run/forecast.hpp"
+#include "run/make_integrator.hpp"
 #include "run/row_of_disks.hpp"
 #include "run/slow_impact.hpp"
 #include "run/spinning_shape.hpp"

@@ -5,26 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "lattice/input_error.hpp"
-#include "mechanics/blanes_moan.hpp"
-#include "mechanics/extrapolated_damping.hpp"
-#include "mechanics/imex.hpp"
-#include "mechanics/implicit_damping.hpp"
 #include "mechanics/motion.hpp"
-#include "mechanics/takahashi_imada.hpp"
-#include "mechanics/velocity_verlet.hpp"
 #include "reduced/modal_dynamics.hpp"
 #include "run/expected_time.hpp"
+#include "run/make_integrator.hpp"
 #include "run/slow_impact.hpp"
 #include "scene/scene_parameters.hpp"
-#include "solvers/make_bdf.hpp"
-#include "solvers/make_rk8pd.hpp"
-#include "theory/hertz.hpp"
 
 namespace impact {
 namespace {
@@ -93,29 +83,6 @@ double on_scale(IntegratorKind integrator, double step) {
   const double base = coarsening_of(integrator).least;
   return kLongestStep *
          std::pow(base, -std::ceil(places_between(step, kLongestStep, base) - kRounding));
-}
-
-/// What the wall is likely to add to the square of a frequency, as Simulation forecasts it for
-/// steps of this length. The points that meet the greatest forces are the slowest then: the
-/// forecast grows with a v h as its greatest value in some 250 impacts did (N = 300 and 1099, 0.01
-/// … 0.15 c, a v h up to 1.7).
-double contact_rate(const Scene& scene, const Rates& rates, double step) {
-  constexpr double kOfEstimate = 0.65;
-  if (rates.met) return *rates.met;
-  const double approach =
-      scene.kind == SceneKind::kCollision ? scene.impact.approach_velocity() : 0.0;
-  const double way = scene.wall.a * approach * step;
-  return kOfEstimate * Motion::kWallMargin * rates.wall * std::exp(way / 2.0 + way * way / 8.0);
-}
-
-double points_of(double spacing) { return M_PI / (spacing * spacing); }
-
-/// What bonds that are strained may gain over their unstrained stiffness, as the square of a
-/// frequency, where strains are some v: by their cubic part.
-double rate_of_gain(const Scene& scene, const Rates& rates) {
-  const double elongation = rates.spacing * scene.impact.velocity / std::sqrt(scene.material.k_a);
-  return rates.lattice.omega_squared * 3.0 * scene.material.k_b * elongation * elongation /
-         scene.material.k_a;
 }
 
 /// Not by stability, which is looked at besides. Steps that solve for the bonds go with the wall,
@@ -263,15 +230,6 @@ double given_step(const Scene& scene, IntegratorKind integrator, const Spectrum&
       step, limit, name_of(integrator)));
 }
 
-/// Typical displacement and speed of a scene, by which tolerances are measured.
-Scales scales_of(const Scene& scene, double sound_speed) {
-  if (scene.kind == SceneKind::kCollision) {
-    const double v = scene.impact.normal_velocity();
-    return {v / sound_speed, v};
-  }
-  return {scene.load.p / scene.material.k_a, scene.load.p / std::sqrt(scene.material.k_a)};
-}
-
 /// Over that at N = 1099: as measured up to N = 40 000, where factors outgrow the caches.
 double growth_of_solutions(double spacing, double power) {
   return std::pow(points_of(spacing) / 1099.0, power);
@@ -288,51 +246,7 @@ double power_of_factor(IntegratorKind integrator) {
   return integrator == IntegratorKind::kImex ? 0.8 : 0.0;
 }
 
-/// The energy of the impact, M v²/2, goes into the disk, P²/2k with k = M (π/τ)², and the wall,
-/// P/a.
-double largest_force_of_impact(const Scene& scene, double sound_speed) {
-  const double v = scene.impact.normal_velocity();
-  const double frequency = M_PI / contact_time_at_most(sound_speed, v);
-  const double depth = 1.0 / scene.wall.a;
-  return v * v / (depth + std::hypot(depth, v / frequency));
-}
-
-/// Of the disk against what it meets, 1/R.
-double curvature(const Scene& scene) {
-  return scene.hits_disk() ? 1.0 + 1.0 / scene.wall.radius : 1.0;
-}
-
 }  // namespace
-
-template <class Field>
-std::unique_ptr<FixedStepIntegrator<Field>> make_fixed(IntegratorKind integrator) {
-  switch (integrator) {
-    case IntegratorKind::kVerlet:
-      return std::make_unique<BasicVelocityVerlet<Field>>();
-    case IntegratorKind::kTakahashiImada:
-      return std::make_unique<BasicTakahashiImada<Field>>();
-    case IntegratorKind::kBlanesMoan:
-      return std::make_unique<BasicBlanesMoan<Field>>();
-    case IntegratorKind::kImplicitDamping:
-      return std::make_unique<BasicImplicitDamping<Field>>();
-    case IntegratorKind::kExtrapolatedDamping:
-      return std::make_unique<BasicExtrapolatedDamping<Field>>();
-    case IntegratorKind::kImex:
-      if constexpr (std::is_same_v<Field, ForceField>) return std::make_unique<Imex>();
-      break;
-    case IntegratorKind::kAuto:
-    case IntegratorKind::kBdf:
-    case IntegratorKind::kRk8pd:
-    case IntegratorKind::kReduced:
-    case IntegratorKind::kModal:
-    case IntegratorKind::kNewton:
-      break;
-  }
-  throw std::logic_error(name_of(integrator) + " is no method of fixed step");
-}
-
-template std::unique_ptr<FixedStepIntegrator<ForceField>> make_fixed(IntegratorKind integrator);
-template std::unique_ptr<FixedStepIntegrator<LaneField>> make_fixed(IntegratorKind integrator);
 
 double dividing_resets(const Scene& scene, double step) {
   if (!has_resets(scene)) return step;
@@ -350,36 +264,6 @@ double cost_of_factor(const Scene& scene, IntegratorKind integrator, double spac
   if (!scene.is_damped()) return 0.0;
   const double growth = growth_of_solutions(spacing, power_of_factor(integrator));
   return growth * traits_of(integrator).factor_cost;
-}
-
-double largest_point_force(const Scene& scene, int points, double sound_speed) {
-  double total = 2.0 * scene.load.p;
-  double stopping_one_point = 0.0;
-  if (scene.kind == SceneKind::kCollision) {
-    const double v = scene.impact.normal_velocity();
-    total = largest_force_of_impact(scene, sound_speed);
-    stopping_one_point = 0.5 * scene.wall.a * v * v / points;
-  }
-  const ElasticDisk disk{sound_speed * sound_speed / M_PI, 0.0};
-  const double hard = contact_pressure(disk, total, 0.0);
-  const double soft = total * std::sqrt(scene.wall.a * curvature(scene) / (2.0 * M_PI));
-  const double pressure = hard * soft / std::hypot(hard, soft);
-  const double share = std::min(total, 2.0 * pressure * std::sqrt(M_PI / points));
-  return std::max(share, stopping_one_point);
-}
-
-Rates rates(const Scene& scene, const Spectrum& lattice, const Repulsion& law, int points,
-            double sound_speed) {
-  const double stiffness = law.stiffness(largest_point_force(scene, points, sound_speed));
-  return {lattice, moving_ends(scene) * stiffness * points, sound_speed, std::nullopt,
-          Motion::spacing(points)};
-}
-
-double step_limit(IntegratorKind integrator, const Spectrum& lattice, double contact_rate,
-                  double inner_share) {
-  const IntegratorKind scheme =
-      integrator == IntegratorKind::kModal ? IntegratorKind::kImex : integrator;
-  return make_fixed<ForceField>(scheme)->step_limit_with(lattice, contact_rate, inner_share);
 }
 
 IntegratorKind with_given_step(IntegratorKind integrator) {
@@ -464,32 +348,6 @@ Resolution finer(const Scene& scene, const Resolution& resolution, double factor
 
 double output_interval(const Scene& scene, double step) {
   return step * std::max(1.0, std::round(scene.output.period / step));
-}
-
-void refuse_missing_integrator(const Scene& scene) {
-  constexpr const char* kKey = "numerics.integrator";
-  const IntegratorKind kind = scene.numerics.integrator;
-  if (kind == IntegratorKind::kRk8pd && !has_rk8pd()) {
-    throw bad_value(kKey, "rk8pd",
-                    "another one here; the programs impact, sweep and work_precision have it");
-  }
-  if (kind == IntegratorKind::kBdf && !has_bdf()) {
-    throw bad_value(kKey, "bdf",
-                    "another one here; bdf needs a build with SUNDIALS (libsundials-dev)");
-  }
-}
-
-std::unique_ptr<Integrator> make_integrator(const Scene& scene, const Resolution& resolution,
-                                            double sound_speed) {
-  const Scales scales = scales_of(scene, sound_speed);
-  switch (resolution.integrator) {
-    case IntegratorKind::kBdf:
-      return make_bdf(resolution.tolerance, scales);
-    case IntegratorKind::kRk8pd:
-      return make_rk8pd(resolution.tolerance, scales);
-    default:
-      return make_fixed<ForceField>(resolution.integrator);
-  }
 }
 
 }  // namespace impact

@@ -1,12 +1,9 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <vector>
 
-#include "mechanics/contact.hpp"
-#include "mechanics/integrator.hpp"
-#include "mechanics/spectrum.hpp"
+#include "run/rates.hpp"
 #include "scene/scene.hpp"
 
 namespace impact {
@@ -29,39 +26,6 @@ inline bool operator==(const Resolution& a, const Resolution& b) {
   return a.integrator == b.integrator && a.step == b.step && a.tolerance == b.tolerance &&
          a.lift == b.lift;
 }
-
-/// What a resolution is chosen by, besides the scene.
-struct Rates {
-  Spectrum lattice;
-  double wall = 0.0;  ///< square of the frequency that the wall adds at its stiffest, c²/R²
-  double sound_speed = 1.0;  ///< c
-  /// What a run has met in the place of `wall`, its margin included: System::stiffest_contact().
-  std::optional<double> met{};
-  double spacing = 1.0;  ///< of the points of the disk, R
-  double time = 1.0;     ///< that a run is expected to take, R/c
-  bool imex = true;      ///< whether `auto` may take it: not once it began with another method
-  bool modal = true;     ///< the same, and not on a floppy lattice
-};
-
-/// Estimate of the largest wall force on one point (M c²/R) during the run, for the choice of the
-/// step. Total force: twice the load, or that of an impact on a spring and the wall, one on the
-/// other; the spring makes a harmonic impact of duration τ = π (R/c_s) √ln(4c_s/v). Its share on
-/// one point: twice the greatest pressure p times the point spacing √(π/N) R, and at most the
-/// whole; but no less than the force a m v²/2 that stops a single point. 1/p² = 1/p₀² + 1/p₁², of
-/// the 2D Hertz contact p₀ = 2P/(π a_c) with a_c² = 4PR/(πE) (K. L. Johnson, Contact Mechanics,
-/// 1985, eqs. 4.43–4.45), and of a rigid disk on the wall, which presses like exp(−a x²/2R), p₁ = P
-/// √(a/2πR). Some 100 impacts with a v from 0.015 to 200 had 0.4 to 2.9 times the estimate, 1.2
-/// times where a spacing is no more than 350/a.
-double largest_point_force(const Scene& scene, int points, double sound_speed);
-
-/// The rates of a scene with this law of the contact.
-Rates rates(const Scene& scene, const Spectrum& lattice, const Repulsion& law, int points,
-            double sound_speed);
-
-/// Largest stable step of a method of fixed step (R/c) on a lattice with these contacts, see
-/// Spectrum::with_contacts().
-double step_limit(IntegratorKind integrator, const Spectrum& lattice, double contact_rate = 0.0,
-                  double inner_share = 0.0);
 
 /// The longest step (R/c), not above `step`, that divides the interval between resets, if there are
 /// resets.
@@ -121,18 +85,5 @@ Resolution finer(const Scene& scene, const Resolution& resolution, double factor
 /// Time between the states that a run gives out (R/c): the whole number of steps, at least one,
 /// that is nearest to output.period.
 double output_interval(const Scene& scene, double step);
-
-/// Makes an integrator of fixed step, for one run or for lanes.
-/// @throw std::logic_error for a kind that is none.
-template <class Field>
-std::unique_ptr<FixedStepIntegrator<Field>> make_fixed(IntegratorKind integrator);
-
-/// @throw InputError for an integrator that the program does not have: rk8pd where a program
-/// does without GSL, bdf where the package was built without SUNDIALS.
-void refuse_missing_integrator(const Scene& scene);
-
-/// Makes the integrator of a resolution, which the program has.
-std::unique_ptr<Integrator> make_integrator(const Scene& scene, const Resolution& resolution,
-                                            double sound_speed);
 
 }  // namespace impact

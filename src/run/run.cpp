@@ -9,6 +9,7 @@
 
 #include "mechanics/simulation.hpp"
 #include "run/expected_time.hpp"
+#include "run/make_integrator.hpp"
 #include "run/other_rests.hpp"
 #include "run/slow_impact.hpp"
 #include "statics/equilibrium_solver.hpp"

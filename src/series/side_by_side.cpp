@@ -14,6 +14,7 @@
 #include "mechanics/lane_bundle.hpp"
 #include "run/compose.hpp"
 #include "run/energy_monitor.hpp"
+#include "run/make_integrator.hpp"
 #include "statics/equilibrium_solver.hpp"
 #include "statics/large_equilibrium_solver.hpp"
 

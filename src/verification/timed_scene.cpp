@@ -13,6 +13,7 @@
 #include "kernels/threads.hpp"
 #include "mechanics/motion.hpp"
 #include "output/interruption.hpp"
+#include "run/make_integrator.hpp"
 #include "scene/scene_parameters.hpp"
 #include "series/convergence_study.hpp"
 

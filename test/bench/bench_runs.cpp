@@ -15,6 +15,7 @@
 #include "mechanics/lane_field.hpp"
 #include "mechanics/simulation.hpp"
 #include "run/compose.hpp"
+#include "run/make_integrator.hpp"
 #include "run/resolution.hpp"
 #include "run/run.hpp"
 #include "series/convergence_study.hpp"

@@ -15,6 +15,7 @@
 #include "mechanics/simulation.hpp"
 #include "output/program.hpp"
 #include "run/compose.hpp"
+#include "run/make_integrator.hpp"
 #include "run/resolution.hpp"
 #include "scene/keys.hpp"
 #include "scene/scene_parameters.hpp"

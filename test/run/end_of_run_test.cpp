@@ -8,6 +8,7 @@
 #include <random>
 
 #include "mechanics/simulation.hpp"
+#include "run/make_integrator.hpp"
 #include "run/run.hpp"
 #include "statics/equilibrium_solver.hpp"
 

@@ -13,6 +13,7 @@
 
 #include "measure/strain.hpp"
 #include "mechanics/motion.hpp"
+#include "run/make_integrator.hpp"
 
 namespace impact {
 namespace {

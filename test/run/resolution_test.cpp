@@ -3,21 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "expect_input_error.hpp"
-#include "mechanics/blanes_moan.hpp"
-#include "mechanics/extrapolated_damping.hpp"
-#include "mechanics/imex.hpp"
-#include "mechanics/implicit_damping.hpp"
 #include "mechanics/potential_wall.hpp"
-#include "mechanics/takahashi_imada.hpp"
-#include "mechanics/velocity_verlet.hpp"
-#include "reduced/modal_motion.hpp"
-#include "reduced/reduced_motion.hpp"
-#include "run/expected_time.hpp"
-#include "theory/hertz.hpp"
+#include "run/make_integrator.hpp"
 
 namespace impact {
 namespace {
@@ -38,80 +28,6 @@ Scene scene_with(IntegratorKind integrator, double velocity, double eta) {
   scene.impact.velocity = velocity;
   scene.material.eta = eta;
   return scene;
-}
-
-/// The order that a method has, by its class; 0 where its step is not given. The compiler asks for
-/// an integrator that is missing here.
-int order_by_class(IntegratorKind integrator) {
-  switch (integrator) {
-    case IntegratorKind::kVerlet:
-      return VelocityVerlet::kOrder;
-    case IntegratorKind::kTakahashiImada:
-      return TakahashiImada::kOrder;
-    case IntegratorKind::kBlanesMoan:
-      return BlanesMoan::kOrder;
-    case IntegratorKind::kImplicitDamping:
-      return ImplicitDamping::kOrder;
-    case IntegratorKind::kExtrapolatedDamping:
-      return ExtrapolatedDamping::kOrder;
-    case IntegratorKind::kImex:
-      return Imex::kOrder;
-    case IntegratorKind::kReduced:
-      return ReducedMotion::kOrder;
-    case IntegratorKind::kModal:
-      return ModalMotion::kOrder;
-    case IntegratorKind::kAuto:
-    case IntegratorKind::kBdf:
-    case IntegratorKind::kRk8pd:
-    case IntegratorKind::kNewton:
-      break;
-  }
-  return 0;
-}
-
-TEST(Integrators, HaveTheOrderOfTheirClass) {
-  for (const IntegratorTraits& method : kIntegrators) {
-    EXPECT_EQ(method.order, order_by_class(method.kind)) << method.name;
-    const bool is_given =
-        method.stepping == Stepping::kFixed || method.stepping == Stepping::kReduced;
-    EXPECT_EQ(method.order > 0, is_given) << method.name;
-  }
-}
-
-/// Of those of fixed step, that the step of a damped lattice is not limited by its damping.
-TEST(Integrators, AreStiffIfDampingDoesNotLimitTheirStep) {
-  for (const IntegratorTraits& method : kIntegrators) {
-    if (method.stepping != Stepping::kFixed || !method.holds_with_damping) continue;
-    const double undamped = step_limit(method.kind, {1.0, 0.0});
-    EXPECT_EQ(method.stiff, step_limit(method.kind, {1.0, 1e6}) >= 0.5 * undamped) << method.name;
-  }
-}
-
-/// The lattice limits steps unless they solve for it, the contacts always.
-TEST(Integrators, AreLimitedByWhatTheyDoNotSolveFor) {
-  for (const IntegratorTraits& method : kIntegrators) {
-    if (method.stepping != Stepping::kFixed) continue;
-    const double of_lattice = step_limit(method.kind, {1e4, 0.0}, 1.0);
-    EXPECT_EQ(of_lattice > 0.9 * step_limit(method.kind, {1e-4, 0.0}, 1.0), method.implicit_bonds)
-        << method.name;
-    EXPECT_LT(step_limit(method.kind, {1.0, 0.0}, 1e4), 0.2 * of_lattice + 1.0) << method.name;
-  }
-}
-
-/// Those that are made, and no others, are of fixed step; lanes have those that say so.
-TEST(Integrators, OfFixedStepAreMade) {
-  for (const IntegratorTraits& method : kIntegrators) {
-    if (method.stepping == Stepping::kFixed) {
-      EXPECT_NE(make_fixed<ForceField>(method.kind), nullptr) << method.name;
-      if (method.in_lanes) {
-        EXPECT_NE(make_fixed<LaneField>(method.kind), nullptr) << method.name;
-      } else {
-        EXPECT_THROW(make_fixed<LaneField>(method.kind), std::logic_error) << method.name;
-      }
-    } else {
-      EXPECT_THROW(make_fixed<ForceField>(method.kind), std::logic_error) << method.name;
-    }
-  }
 }
 
 /// Stable with the wall at its stiffest; and not needlessly short: where accuracy asks for nothing,
@@ -231,26 +147,6 @@ TEST(FirstResolution, TakesAStepOfImexUpToHalfTheRangeOfTheWall) {
                      "numerics.step: got 0.17, allowed: at most 0.1667 R/c with imex");
 }
 
-/// A disk that is as hard as it gets, and one that is so slow that the wall alone yields: Hertz's
-/// pressure and that of a rigid disk, over the spacing, twice.
-TEST(LargestPointForce, HasThePressuresOfHertzAndOfARigidDisk) {
-  Scene scene = scene_with(IntegratorKind::kAuto, 1e-7, 0.0);
-  const double v = 1e-7;
-  const double spacing = std::sqrt(M_PI / 1e6);
-  const double a = scene.wall.a;
-  const double of_wall = 0.5 * a * v * v;
-  EXPECT_NEAR(largest_point_force(scene, 1000000, kSoundSpeed),
-              2.0 * spacing * of_wall * std::sqrt(a / (2.0 * M_PI)), 1e-3 * of_wall * spacing);
-  scene.impact.velocity = 0.1;
-  scene.wall.a = 1e6;
-  const double total = M_PI * 0.1 / contact_time_at_most(kSoundSpeed, 0.1);
-  const double hertz = contact_pressure({kSoundSpeed * kSoundSpeed / M_PI, 0.0}, total, 0.0);
-  constexpr int kMany = 2000000000;  // of which none is stopped by itself
-  EXPECT_NEAR(
-      largest_point_force(scene, kMany, kSoundSpeed) / (2.0 * hertz * std::sqrt(M_PI / kMany)), 1.0,
-      1e-3);
-}
-
 TEST(FirstResolution, OfAnAdaptiveIntegratorHasItsTolerance) {
   Scene scene = scene_with(IntegratorKind::kBdf, 0.01, 1.0);
   scene.numerics.error = 1e-5;
@@ -353,16 +249,6 @@ TEST(FirstResolution, DividesTheIntervalBetweenResets) {
   EXPECT_DOUBLE_EQ(step_for(0.004), 0.002);
   EXPECT_DOUBLE_EQ(step_for(0.001), 0.001);
   EXPECT_DOUBLE_EQ(step_for(0.009), 0.003);
-}
-
-/// Two points that push each other have half the mass of one.
-TEST(Rates, CountBothEndsOfAContact) {
-  Scene scene;
-  const double one_end = rates(scene, {1.0, 0.0}, kWall, kPoints, kSoundSpeed).wall;
-  const double stiffness = kWall.stiffness(largest_point_force(scene, kPoints, kSoundSpeed));
-  EXPECT_DOUBLE_EQ(one_end, stiffness * kPoints);
-  scene.wall.kind = WallKind::kLattice;
-  EXPECT_DOUBLE_EQ(rates(scene, {1.0, 0.0}, kWall, kPoints, kSoundSpeed).wall, 2.0 * one_end);
 }
 
 TEST(Finer, ShortensTheStepByTheFactorAtLeast) {

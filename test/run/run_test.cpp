@@ -16,6 +16,7 @@
 #include "measure/strain.hpp"
 #include "mechanics/simulation.hpp"
 #include "run/error_control.hpp"
+#include "run/make_integrator.hpp"
 #include "statics/equilibrium_solver.hpp"
 
 namespace impact {
