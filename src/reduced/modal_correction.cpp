@@ -42,7 +42,7 @@ struct Instant {
 
 /// A run.
 struct Pass {
-  double velocity = 0.0;  ///< after, c
+  double velocity = 0.0;  ///< at the end, c
   double spin = 0.0;      ///< c/R
   double largest_force = 0.0;
   double begin = 0.0;  ///< of the instants
@@ -91,7 +91,7 @@ bool run_through(ModalDynamics dynamics, const Pace& pace, const End& end, Pass&
   pass.begin += interval * static_cast<double>(first - pass.instants.begin());
   pass.instants.erase(pass.instants.begin(), first);
   while (!pass.instants.empty() && is_weak(pass.instants.back())) pass.instants.pop_back();
-  return !pass.instants.empty();
+  return std::isfinite(pass.velocity) && !pass.instants.empty();
 }
 
 /// The amplitudes or rates of all instants.
@@ -324,7 +324,7 @@ class Iteration {
     const ModalState& start = dynamics_.state();
     const double way = dynamics_.system().wall.a() * std::abs(start.velocity) * pace_.step;
     if (const auto parts = static_cast<int>(std::ceil(way / kWayOfLastStep)); parts > 1) {
-      const End end{end_.force, time_of(pass_.instants.size())};
+      const End end{end_.force, time_of(pass_.instants.size()) - 0.5 * pace_.step};
       pace_.step /= parts;
       pace_.steps_between *= parts;
       dynamics_.set_step(pace_.step);
@@ -344,6 +344,18 @@ class Iteration {
             rest_of(&Change::spin) + kMismatch * first_.spin +
                 outside * impulse / dynamics_.system().modes->inertia,
             rest() + rest_of(&Change::force) + std::sqrt(outside)};
+  }
+  /// Of a triangle, at the strongest instants.
+  double least_area_left(const Triangles& triangles) const {
+    const BulkModes& modes = *dynamics_.system().modes;
+    const Eigen::MatrixXd u =
+        elastic_displacements(modes, joined(strongest(pass_), &ModalState::amplitudes));
+    double least = 1.0;
+    for (Eigen::Index k = 0; k < u.cols(); ++k) {
+      const PointArray displaced = modes.arm + u.col(k).reshaped(modes.arm.rows(), 2).array();
+      least = std::min(least, triangles.least_area_left(modes.arm, displaced));
+    }
+    return least;
   }
   std::shared_ptr<const ForceCourse> correction() const { return dynamics_.system().correction; }
 
@@ -400,7 +412,8 @@ ModalState modal_state(const BulkModes& modes, const State& start) {
 }
 
 ModalCorrection modal_correction(const ModalSystem& system, const ForceField& field,
-                                 const State& start, Compliance& compliance, double error) {
+                                 const Triangles& triangles, const State& start,
+                                 Compliance& compliance, double error) {
   Iteration iteration(system, field, start, error);
   bool goes_on = iteration.begin();
   for (int k = 0; goes_on && k < kMostCorrections; ++k) {
@@ -408,7 +421,9 @@ ModalCorrection modal_correction(const ModalSystem& system, const ForceField& fi
     if (goes_on && iteration.rest() <= kNegligible * error) break;
   }
   if (!goes_on || !iteration.refine()) return {nullptr, {kInfinity, kInfinity, kInfinity}};
-  return {iteration.correction(), iteration.left_out(compliance)};
+  ModelError left_out = iteration.left_out(compliance);
+  left_out.may_fold = iteration.least_area_left(triangles) < ModelError::kLeastAreaLeft;
+  return {iteration.correction(), left_out};
 }
 
 }  // namespace impact

@@ -7,6 +7,7 @@
 #include "mechanics/model_error.hpp"
 #include "mechanics/state.hpp"
 #include "reduced/modal_dynamics.hpp"
+#include "statics/folding.hpp"
 
 namespace impact {
 
@@ -36,6 +37,12 @@ ModalState modal_state(const BulkModes& modes, const State& start);
 ///   K⁺ B are in it, what is missing acts on the contact in second order only. The bonds may soften
 ///   under K⁺ r: the energy is that of the geometric series which the next response begins;
 /// - the same of the energy that the wall would give to points not among those in contact.
+/// The passes begin where the force is 10⁻⁴ of its greatest, and end where the wall holds 10⁻³
+/// `error` of the energy. The last one, in shorter steps, ends with the last instant.
+///
+/// A point that snaps through a bond is not among the modes: the lattice may fold if a triangle has
+/// less than ModelError::kLeastAreaLeft of its area at the strongest of the times.
+///
 /// Of the spin, the same of its changes and of the impulse at a lever arm of R; of forces and
 /// times, the change of the greatest force and the root of the third.
 struct ModalCorrection {
@@ -43,9 +50,10 @@ struct ModalCorrection {
   ModelError left_out;
 };
 
-/// Of a body that starts so; `error`: wanted, of e, relative.
+/// Of a body with these triangles that starts so; `error`: wanted, of e, relative.
 ModalCorrection modal_correction(const ModalSystem& system, const ForceField& field,
-                                 const State& start, Compliance& compliance, double error);
+                                 const Triangles& triangles, const State& start,
+                                 Compliance& compliance, double error);
 
 /// Made when somebody asks for it, once.
 class ModalCorrectionOnDemand {

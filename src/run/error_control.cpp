@@ -10,6 +10,7 @@
 #include "run/expected_time.hpp"
 #include "run/forecast.hpp"
 #include "run/runs_ahead.hpp"
+#include "run/slow_impact.hpp"
 #include "scene/scene_parameters.hpp"
 
 namespace impact {
@@ -25,15 +26,17 @@ constexpr double kRoundingOfImpact = 16.0;
 constexpr double kRoundingOfStrain = 4.0;
 /// The part of numerics.error above which the wall's tail is made smaller.
 constexpr double kMostTail = 0.1;
-/// The part of numerics.error that a model may leave out.
-constexpr double kMostLeftOut = 0.5;
 constexpr double kStagnation = 0.7;
 constexpr std::size_t kRunsToCompare = 3;
 constexpr std::size_t kErraticRunsToCompare = 5;
 constexpr std::size_t kRunsThatShowAnOrder = 4;
-/// The largest estimate, but for what a model leaves out, over numerics.error, that is accepted
-/// without a fourth run.
+/// The largest estimate, but for what a model leaves out, over numerics.error, that is accepted of
+/// a limit: without a fourth run, and with it.
 constexpr double kUnconfirmed = 0.1;
+constexpr double kConfirmed = 0.5;
+/// a s, s the spacing of the points: above it they meet the wall one after another (16 on the
+/// default disk).
+constexpr double kHardOverSpacing = 50.0;
 constexpr int kMostFailures = 4;
 /// Of steps, after which plans are given up.
 constexpr int kMostPlansAfterHalving = 3;
@@ -74,7 +77,6 @@ FinishedImpact finished_impact(const Run& run, const Restitution& measured) {
   impact.stiffest_contact = run.system().stiffest_contact();
   impact.not_separated = run.has_flag(Flag::kNotSeparated);
   impact.folded = run.has_flag(Flag::kFolded);
-  impact.near_fold = run.is_near_fold();
   impact.cut_off = run.has_flag(Flag::kCutOff);
   return impact;
 }
@@ -179,9 +181,10 @@ bool ErrorControl::accepts(const FinishedImpact& run) {
     plan_after_halving(run);
     return false;
   }
-  if (starts_too_near(run) || leaves_out_too_much(run)) return false;
-  runs_.push_back({resolution_, run.measured});
+  if (leaves_out_too_much(run)) return false;
   note_irregularities(run);
+  if (starts_too_near(run)) return false;
+  runs_.push_back({resolution_, run.measured});
   if (runs_.size() < runs_needed() || !planned_.empty()) {
     go_on(kRefinement);
     return false;
@@ -190,7 +193,8 @@ bool ErrorControl::accepts(const FinishedImpact& run) {
            run.model_error);
   const double error = scene_.numerics.error;
   const double by_steps = estimated_error_ - run.model_error.restitution;
-  accepted_ = estimated_error_ <= error && (is_confirmed() || by_steps <= kUnconfirmed * error);
+  const double part = !is_extrapolated() ? 1.0 : is_confirmed() ? kConfirmed : kUnconfirmed;
+  accepted_ = estimated_error_ <= error && by_steps <= part * error;
   if (!accepted_) {
     refine_by_estimate();
   } else if (may_agree_by_chance(run)) {
@@ -200,12 +204,19 @@ bool ErrorControl::accepts(const FinishedImpact& run) {
   return accepted_;
 }
 
-/// True when the next run will start higher.
+/// True when the next run will start higher. A fold may turn on what the wall holds at the start:
+/// one scene of 2000 made of it 2·10⁴ times as much.
 bool ErrorControl::starts_too_near(const FinishedImpact& run) {
+  constexpr double kLessBeforeFolds = 1e-4;
+  if (scene_.impact.gap) return false;
   const double most = kMostTail * scene_.numerics.error;
-  if (scene_.impact.gap || run.tail_error <= most) return false;
+  const bool begins_to_fold = run.folded && !is_lifted_for_folds_ && !moves_less_than_all();
+  if (run.tail_error <= most && !begins_to_fold) return false;
+  double fewer = std::max(1.0, 2.0 * run.tail_error / most);
+  if (begins_to_fold) fewer /= kLessBeforeFolds;
+  is_lifted_for_folds_ = is_lifted_for_folds_ || begins_to_fold;
   Resolution finest = planned_.empty() ? resolution_ : planned_.front();
-  finest.lift += on_whole_resets(scene_, std::log(2.0 * run.tail_error / most) / scene_.wall.a);
+  finest.lift += on_whole_resets(scene_, std::log(fewer) / scene_.wall.a);
   plan(finest);
   return true;
 }
@@ -223,8 +234,9 @@ bool ErrorControl::leaves_out_too_much(const FinishedImpact& run) {
     left_out =
         std::max(left_out, run.model_error.spin / std::abs(scene_.impact.tangential_velocity()));
   }
-  const bool too_much = left_out > kMostLeftOut * scene_.numerics.error;
-  if (!too_much && !run.near_fold) return false;
+  const bool too_much = !(left_out <= kMostLeftOut * scene_.numerics.error);
+  const bool may_fold = moves_less_than_all() && (run.folded || run.model_error.may_fold);
+  if (!too_much && !may_fold) return false;
   if (!go_on_otherwise()) {
     give_up(too_much
                 ? fmt::format("what it leaves out may change the answer by {:.1e}", left_out)
@@ -233,12 +245,15 @@ bool ErrorControl::leaves_out_too_much(const FinishedImpact& run) {
   return true;
 }
 
+bool ErrorControl::moves_less_than_all() const {
+  return traits_of(resolution_.integrator).stepping == Stepping::kReduced;
+}
+
 /// Where `auto` began with a method for slow impacts, by one for all. False if it did not, or if
 /// that would take too long.
 bool ErrorControl::go_on_otherwise() {
   const IntegratorKind present = resolution_.integrator;
-  const bool is_slow =
-      traits_of(present).stepping == Stepping::kReduced || present == IntegratorKind::kImex;
+  const bool is_slow = moves_less_than_all() || present == IntegratorKind::kImex;
   if (!is_slow || scene_.numerics.integrator != IntegratorKind::kAuto) return false;
   rates_.imex = present == IntegratorKind::kModal;
   rates_.modal = false;
@@ -338,7 +353,7 @@ void ErrorControl::add(const ModelError& left_out) {
     const double relative = is_read_off_steps(name) ? left_out.others : left_out.restitution;
     answer_.error.*number += relative * std::abs(answer_.value.*number);
   }
-  if (traits_of(resolution_.integrator).stepping != Stepping::kReduced) return;
+  if (!moves_less_than_all()) return;
   const double turned = left_out.spin / std::abs(answer_.value.spin_after);
   answer_.error.spin_after += left_out.spin;
   answer_.error.rotation_energy += 2.0 * turned * answer_.value.rotation_energy;
@@ -361,14 +376,17 @@ bool ErrorControl::is_confirmed() const {
 /// say of the term after the two that they are fitted to. Of a spring of frequency ω over the point
 /// mass it is (ω² h₁ h₂)²/60 of the first, by Verlet, cos ω′h = 1 − ω²h²/2, as well as by
 /// Takahashi–Imada, 1 − ω²h²/2 (1 − ω²h²/12), with h₁ and h₂ the longer steps; the stiffest is that
-/// of the wall.
+/// of the wall. Where that is hard over the spacing of the points, errors do not follow one curve:
+/// all that three runs extrapolate is in doubt.
 bool ErrorControl::may_agree_by_chance(const FinishedImpact& finest) const {
   constexpr double kDoubtful = 2e-3;
   if (!is_extrapolated() || runs_.size() > kRunsThatShowAnOrder) return false;
   double doubtful = kDoubtful;
   if (!is_confirmed()) {
     const double longer = runs_[0].resolution.step * runs_[1].resolution.step;
-    doubtful = std::max(doubtful, std::pow(finest.stiffest_contact * longer, 2) / 60.0);
+    doubtful = scene_.wall.a * rates_.spacing > kHardOverSpacing
+                   ? 1.0
+                   : std::max(doubtful, std::pow(finest.stiffest_contact * longer, 2) / 60.0);
   }
   const double taken_out = answer_.value.restitution - finest.measured.restitution;
   return doubtful * std::abs(taken_out) >

@@ -28,7 +28,6 @@ struct FinishedImpact {
   double stiffest_contact = 0.0;  ///< System::stiffest_contact()
   bool not_separated = false;
   bool folded = false;
-  bool near_fold = false;  ///< Run::is_near_fold()
   bool cut_off = false;
 };
 
@@ -64,10 +63,11 @@ struct FinishedImpact {
 /// - rounding, 16 ε √steps (ε: spacing of doubles): two to ten times the scatter of e with other
 ///   wall.V0, v = 10⁻⁶ … 10⁻² c; where steps solve for damped velocities, 16 ε steps, since their
 ///   rounding goes to one side: 4.5 ε a step was seen.
-/// Where the method is `reduced`, what it leaves out is added too, see left_out(). If that exceeds
-/// numerics.error/2, `auto` goes on with all points.
+/// Where the method is `reduced` or `modal`, what it leaves out is added too, see left_out() and
+/// ModalCorrection. If that exceeds numerics.error/2, or the lattice comes near a fold, which these
+/// do not see, `auto` goes on with all points.
 /// A start that turns out too near to the wall, since little speed is left after the impact, is
-/// raised.
+/// raised; so is that of a lattice that folds, which may make much of what it missed of the wall.
 ///
 /// Where `auto` began with `modal` or `imex` and its runs fail, need too many steps or do not
 /// agree, it goes on with the other methods.
@@ -134,6 +134,7 @@ class ErrorControl {
   bool starts_too_near(const FinishedImpact& run);
   const ModelError& model_error_of(const Run& run);
   bool leaves_out_too_much(const FinishedImpact& run);
+  bool moves_less_than_all() const;
   bool go_on_otherwise();
   void note_irregularities(const FinishedImpact& run);
   std::size_t runs_needed() const;
@@ -168,6 +169,7 @@ class ErrorControl {
   int failures_ = 0;  ///< runs that broke off
   int halvings_ = 0;  ///< runs whose step was reduced
   bool accepted_ = false;
+  bool is_lifted_for_folds_ = false;
   bool erratic_ = false;           ///< the lattice folds or the wall is cut off
   bool irregular_ = false;         ///< contacts hop from bond to bond
   const char* likely_cause_ = "";  ///< of slow convergence, if known

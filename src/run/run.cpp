@@ -23,7 +23,6 @@ constexpr int kMostHalvings = 20;
 constexpr double kManyHops = 0.01;  // of the impact's energy
 constexpr std::uint64_t kSlopeSteps = 4;
 constexpr double kPushed = 0.01;  // of the largest force on a point
-constexpr double kLeastAreaLeft = 2.0 / 3.0;
 
 bool moves_less_than_all(IntegratorKind integrator) {
   return traits_of(integrator).stepping == Stepping::kReduced;
@@ -246,8 +245,7 @@ void Run::note_folds() {
   if (moves_less_than_all(integrator_)) {
     const BodyOfScene& disk = all.front();
     const double left = disk.triangles.least_area_left(disk.lattice.points, state().position);
-    folded_ = folded_ || left < 0.0;
-    near_fold_ = near_fold_ || left < kLeastAreaLeft;
+    folded_ = folded_ || left < ModelError::kLeastAreaLeft;
     return;
   }
   for (std::size_t k = 0; k < all.size() && !folded_; ++k) {

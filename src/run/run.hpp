@@ -98,19 +98,16 @@ class Run {
   /// `cut_off` (the wall's energy is not negligible at wall.threshold, where it ends abruptly: see
   /// negligible_wall_energy()), `step_reduced` (the wall grew too stiff for the step, which was
   /// halved), `energy_error` (above numerics.error in a scene that gives step or tolerance and so
-  /// has no error control), `folded` (a triangle of a lattice had turned over at a check),
-  /// `beside_wall` (at a check a part of the disk lay beside an elastic wall, where a wider one
-  /// would have held more energy than numerics.error allows: the wall is too
-  /// narrow), `hops` (EnergyLedger::hops_size exceeds 1 % of the impact's energy), `charge_ignored`
-  /// (of a file), `floppy` (a lattice from a file that can change its shape without a change of a
-  /// bond), `several_rests` (see rests_elsewhere()), `not_separated` or `not_at_rest` (given up).
+  /// has no error control), `folded` (a triangle of a lattice had turned over at a check; of a
+  /// method that moves less than all points and does not see a fold: one of the disk had less than
+  /// two thirds of its area at a check or where the wall pushed most), `beside_wall` (at a check a
+  /// part of the disk lay beside an elastic wall, where a wider one would have held more energy
+  /// than numerics.error allows: the wall is too narrow), `hops` (EnergyLedger::hops_size exceeds 1
+  /// % of the impact's energy), `charge_ignored` (of a file), `floppy` (a lattice from a file that
+  /// can change its shape without a change of a bond), `several_rests` (see rests_elsewhere()),
+  /// `not_separated` or `not_at_rest` (given up).
   const std::vector<std::string>& flags() const { return flags_; }
   bool has_flag(Flag flag) const { return impact::has_flag(flags_, flag); }
-
-  /// Of a method that moves less than all points, which does not see a lattice fold: whether a
-  /// triangle of the disk had less than two thirds of its area at a check or where the wall pushed
-  /// most. Of 471 random impacts by `modal` those that folded had one with at most 0.57 of it.
-  bool is_near_fold() const { return near_fold_; }
 
   /// Largest e that energy allows: √(1 + 2U₀/(M v²)) with the wall's energy U₀ at the start and v
   /// the velocity along y; where the disk also slides or spins, U₀ counts that energy too. Of two
@@ -155,7 +152,6 @@ class Run {
   double force_ = 0.0;          ///< of the wall at the latest step, M c²/R
   double largest_force_ = 0.0;  ///< at those before
   bool folded_ = false;
-  bool near_fold_ = false;
   bool beside_wall_ = false;
 };
 

@@ -12,7 +12,6 @@ namespace {
 constexpr double kFastestWall = 2.0;    // a v over √(k_a/M)
 constexpr double kFastestDisk = 0.006;  // v over √(k_a R²/M)
 constexpr double kFastestModal = 0.03;  // v over √(k_a R²/M)
-constexpr double kLikely = 0.5;         // of the error: half of all then hold
 constexpr Eigen::Index kFewestModal = 100;
 constexpr double kMostInContact = 100.0;
 constexpr double kLongestWayOfReduced = 0.3;  // a v h of the last run
@@ -59,7 +58,8 @@ bool may_be_modal(const Scene& scene, Eigen::Index points) {
   return scene.numerics.integrator == IntegratorKind::kAuto && can_be_modal(scene) &&
          scene.is_damped() && scene.flies_without_forces() && !scene.numerics.are_given() &&
          speed <= kFastestModal && points >= kFewestModal &&
-         likely_left_out(scene, static_cast<double>(points)) <= kLikely * scene.numerics.error &&
+         likely_left_out(scene, static_cast<double>(points)) <=
+             kMostLeftOut * scene.numerics.error &&
          points_in_contact(scene, static_cast<double>(points)) <= kMostInContact;
 }
 
@@ -87,8 +87,8 @@ std::unique_ptr<ModalMotion> modal_impact(const Scene& scene, const Composition&
   const auto modes = bodies.modes->of(bodies.disk(), *bodies.compliance, scene.wall.a);
   const ModalCorrection& correction = composition.modal_correction->of([&] {
     return modal_correction({modes, field.bonds.law(), field.wall->repulsion(), nullptr}, field,
-                            composition.initial, *bodies.compliance->of(bodies.disk()),
-                            scene.numerics.error);
+                            bodies.all.front().triangles, composition.initial,
+                            *bodies.compliance->of(bodies.disk()), scene.numerics.error);
   });
   return std::make_unique<ModalMotion>(field, start_of(composition, resolution), modes, correction,
                                        resolution.lift / scene.impact.normal_velocity(),

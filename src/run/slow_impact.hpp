@@ -10,6 +10,9 @@
 
 namespace impact {
 
+/// The part of numerics.error that a method which moves less than all points may leave out.
+constexpr double kMostLeftOut = 0.5;
+
 /// Whether `auto` tries the method `reduced` first: in a scene that can have it (see
 /// can_be_reduced()), where no step is given, with so many points, if
 ///   a v ≤ 2 √(k_a/M), so that the wall stops the disk in more than a period of its slowest
@@ -32,8 +35,8 @@ std::unique_ptr<ReducedMotion> slow_impact(const Scene& scene, const Composition
 
 /// Whether `auto` may take the method `modal`: in a scene with damping that can have it (see
 /// can_be_modal()), begins without forces and gives no step, with so many points, if
-///   v ≤ 0.03 √(k_a R²/M), and what it is likely to leave out is at most what it may, half of
-///     numerics.error, and
+///   v ≤ 0.03 √(k_a R²/M), and what it is likely to leave out is at most what it may (a disk from a
+///     file is taken for one with a rim and evenly placed points), and
 ///   it has 100 points at least, and some 100 at most come into contact.
 /// Whether it does is a matter of cost. The run itself says how much it left out, see
 /// ModalCorrection; where that is too much, error control goes over to another method.

@@ -28,7 +28,7 @@ struct DampedDisk : SmallDisk {
   }
   ModalSystem system() const { return {modes, field.bonds.law(), *field.wall, nullptr}; }
   ModalCorrection correction(const State& start, double error = kError) const {
-    return modal_correction(system(), field, start, *compliance, error);
+    return modal_correction(system(), field, Triangles(lattice), start, *compliance, error);
   }
   ModalMotion motion(double step) const {
     const State start = above(0.12, kSlowSpeed);
@@ -163,8 +163,9 @@ TEST(ModalMotion, IsExactWhereTheModesAreAll) {
   start.position.col(1) += 0.12;
   start.velocity.col(1) = -kSlowSpeed;
   const double step = 0.05 / (kA * kSlowSpeed);
-  const ModalCorrection correction = modal_correction(
-      {modes, field.bonds.law(), *field.wall, nullptr}, field, start, *compliance, 1e-9);
+  const ModalCorrection correction =
+      modal_correction({modes, field.bonds.law(), *field.wall, nullptr}, field, Triangles(lattice),
+                       start, *compliance, 1e-9);
   EXPECT_LT(correction.left_out.restitution, 1e-4);
   // Limits of two steps each.
   const auto limit = [step](const auto& velocity_in_steps_of) {

@@ -31,18 +31,20 @@ TEST(LargestPointForce, HasThePressuresOfHertzAndOfARigidDisk) {
   const double hertz = contact_pressure({kSpeedOfSound * kSpeedOfSound / M_PI, 0.0}, total, 0.0);
   constexpr int kMany = 2000000000;  // of which none is stopped by itself
   EXPECT_NEAR(
-      largest_point_force(scene, kMany, kSpeedOfSound) / (2.0 * hertz * std::sqrt(M_PI / kMany)), 1.0,
-      1e-3);
+      largest_point_force(scene, kMany, kSpeedOfSound) / (2.0 * hertz * std::sqrt(M_PI / kMany)),
+      1.0, 1e-3);
 }
 
 /// Two points that push each other have half the mass of one.
 TEST(Rates, CountBothEndsOfAContact) {
   Scene scene;
   const double one_end = rates(scene, {1.0, 0.0}, kLaw, kPointsOfDefault, kSpeedOfSound).wall;
-  const double stiffness = kLaw.stiffness(largest_point_force(scene, kPointsOfDefault, kSpeedOfSound));
+  const double stiffness =
+      kLaw.stiffness(largest_point_force(scene, kPointsOfDefault, kSpeedOfSound));
   EXPECT_DOUBLE_EQ(one_end, stiffness * kPointsOfDefault);
   scene.wall.kind = WallKind::kLattice;
-  EXPECT_DOUBLE_EQ(rates(scene, {1.0, 0.0}, kLaw, kPointsOfDefault, kSpeedOfSound).wall, 2.0 * one_end);
+  EXPECT_DOUBLE_EQ(rates(scene, {1.0, 0.0}, kLaw, kPointsOfDefault, kSpeedOfSound).wall,
+                   2.0 * one_end);
 }
 
 }  // namespace
