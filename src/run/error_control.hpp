@@ -40,9 +40,11 @@ struct FinishedImpact {
 /// the impact, is what converged() gives for the last ones: extrapolated to zero step if they show
 /// the order of the method, else that of the finest run. A limit of three runs is accepted up to a
 /// tenth of numerics.error, but for what a model leaves out; above that a fourth run has to confirm
-/// it, unless four were planned. If 1/500 of what was extrapolated exceeds numerics.error, limits
-/// are asked to agree twice; those of three are also if the term after the two that they are fitted
-/// to may do so, as the stiffness of the wall says. An order is not looked for
+/// it, unless four were planned, and then it is accepted up to half of numerics.error. If 1/500 of
+/// what was extrapolated exceeds numerics.error, limits are asked to agree twice; those of three
+/// are also if the term after the two that they are fitted to may do so, as the stiffness of the
+/// wall says, or, where the wall is hard over the spacing of the points, all that was extrapolated.
+/// An order is not looked for
 /// - where a point of the disk comes further towards the wall than half its range 1/a in a step,
 /// - where contacts pass from bond to bond, and what that does to their energy and to the direction
 ///   of their force could change e by numerics.error,
