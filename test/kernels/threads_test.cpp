@@ -126,17 +126,17 @@ TEST(BeginElsewhere, FreesAThreadFromTheProcessorOfItsMaker) {
   if (all.size() < 2) GTEST_SKIP() << "one processor";
   std::promise<void> go_on;
   std::vector<int> own;
-  std::thread thread([&] {
+  JoinedThread thread(new std::thread([&] {
     go_on.get_future().wait();
     own = processors_of(pthread_self());
-  });
+  }));
   cpu_set_t here;
   CPU_ZERO(&here);
   CPU_SET(sched_getcpu(), &here);
-  ASSERT_EQ(pthread_setaffinity_np(thread.native_handle(), sizeof(here), &here), 0);
-  send_away(thread);
+  EXPECT_EQ(pthread_setaffinity_np(thread->native_handle(), sizeof(here), &here), 0);
+  send_away(*thread);
   go_on.set_value();
-  thread.join();
+  thread.reset();
   EXPECT_EQ(own, all);
 }
 
