@@ -33,7 +33,7 @@ constexpr std::size_t kRunsThatShowAnOrder = 4;
 /// The largest estimate, but for what a model leaves out, over numerics.error, that is accepted of
 /// a limit: without a fourth run, and with it.
 constexpr double kUnconfirmed = 0.1;
-constexpr double kConfirmed = 0.5;
+constexpr double kConfirmedLimit = 0.5;
 /// a s, s the spacing of the points: above it they meet the wall one after another (16 on the
 /// default disk).
 constexpr double kHardOverSpacing = 50.0;
@@ -193,7 +193,7 @@ bool ErrorControl::accepts(const FinishedImpact& run) {
            run.model_error);
   const double error = scene_.numerics.error;
   const double by_steps = estimated_error_ - run.model_error.restitution;
-  const double part = !is_extrapolated() ? 1.0 : is_confirmed() ? kConfirmed : kUnconfirmed;
+  const double part = !is_extrapolated() ? 1.0 : is_confirmed() ? kConfirmedLimit : kUnconfirmed;
   accepted_ = estimated_error_ <= error && by_steps <= part * error;
   if (!accepted_) {
     refine_by_estimate();

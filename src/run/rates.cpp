@@ -64,6 +64,6 @@ double rate_of_gain(const Scene& scene, const Rates& rates) {
          scene.material.k_a;
 }
 
-double points_of(double spacing) { return M_PI / (spacing * spacing); }
+double points_at(double spacing) { return M_PI / (spacing * spacing); }
 
 }  // namespace impact

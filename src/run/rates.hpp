@@ -47,6 +47,6 @@ double contact_rate(const Scene& scene, const Rates& rates, double step);
 double rate_of_gain(const Scene& scene, const Rates& rates);
 
 /// Of a disk with this spacing of the points (R), not rounded.
-double points_of(double spacing);
+double points_at(double spacing);
 
 }  // namespace impact

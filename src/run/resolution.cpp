@@ -93,7 +93,7 @@ double longest_sensible_step(const Scene& scene, IntegratorKind integrator, cons
   if (!solves_for_bonds(integrator) || scene.kind != SceneKind::kCollision) return kLongestStep;
   const double of_wall = kLongestResolvedWay / (scene.wall.a * scene.impact.approach_velocity());
   const double kick =
-      scene.material.k_a * std::numeric_limits<double>::epsilon() * points_of(rates.spacing);
+      scene.material.k_a * std::numeric_limits<double>::epsilon() * points_at(rates.spacing);
   const bool counts = of_wall * kick > kNegligible * scene.impact.approach_velocity();
   return counts ? kLongestStep : std::max(kLongestStep, of_wall);
 }
@@ -105,7 +105,7 @@ double inertia_of_points(const Scene& scene, IntegratorKind integrator, const Ra
                          double step) {
   constexpr double kCompliance = 2.5;
   if (integrator != IntegratorKind::kModal || rates.met) return 1.0;
-  const double stiffness = scene.material.k_a * points_of(rates.spacing) / kCompliance;
+  const double stiffness = scene.material.k_a * points_at(rates.spacing) / kCompliance;
   return 1.0 + ModalDynamics::kAddedInertia * step * step * stiffness;
 }
 
@@ -189,7 +189,7 @@ Resolution fixed_resolution(const Scene& scene, IntegratorKind integrator, const
 /// Whether `auto` may.
 bool may_take(const IntegratorTraits& method, const Scene& scene, const Rates& rates) {
   if (method.kind == IntegratorKind::kModal) {
-    return rates.modal && may_be_modal(scene, std::lround(points_of(rates.spacing)));
+    return rates.modal && may_be_modal(scene, std::lround(points_at(rates.spacing)));
   }
   return is_automatic(method, scene.circumstances()) && (rates.imex || !method.implicit_bonds);
 }
@@ -232,7 +232,7 @@ double given_step(const Scene& scene, IntegratorKind integrator, const Spectrum&
 
 /// Over that at N = 1099: as measured up to N = 40 000, where factors outgrow the caches.
 double growth_of_solutions(double spacing, double power) {
-  return std::pow(points_of(spacing) / 1099.0, power);
+  return std::pow(points_at(spacing) / 1099.0, power);
 }
 
 /// Of the time of a step over that of velocity Verlet: with the number of points.
