@@ -81,11 +81,17 @@ double ContactTime::crossing(const Step& step) const {
     const LogarithmicCubic cubic(before, from, to, after);
     const double log_level = std::log(level);
     const auto above = [&](double time) { return cubic(time) - log_level; };
-    constexpr int kBits = 50;
-    std::uintmax_t most_steps = 100;
-    const auto [low, high] = boost::math::tools::toms748_solve(
-        above, from.time, to.time, boost::math::tools::eps_tolerance<double>(kBits), most_steps);
-    return 0.5 * (low + high);
+    const double first = above(from.time);
+    const double last = above(to.time);
+    // Not of samples out of order, as messages may have them.
+    if (from.time < to.time && first * last < 0.0) {
+      constexpr int kBits = 50;
+      std::uintmax_t most_steps = 100;
+      const auto [low, high] = boost::math::tools::toms748_solve(
+          above, from.time, to.time, first, last, boost::math::tools::eps_tolerance<double>(kBits),
+          most_steps);
+      return 0.5 * (low + high);
+    }
   }
   return from.time + length * std::log(level / from.force) / std::log(to.force / from.force);
 }

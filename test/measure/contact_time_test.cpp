@@ -86,6 +86,20 @@ TEST(ContactTime, IsUnknownWithoutContactAndWhileItLasts) {
   EXPECT_NEAR(contact.end(), 2.0 - 0.001, 1e-15);
 }
 
+/// Messages may be damaged: a time comes out, whatever it is worth.
+TEST(ContactTime, EndsOfSamplesOutOfOrder) {
+  for (const double way : {-1.0, 0.0}) {
+    ContactTime contact;
+    double time = 0.0;
+    for (const double force : {1e-6, 1e-5, 1.0, 2.0, 1.0, 1e-5, 1e-6}) {
+      contact.add({time, force});
+      time += way;
+    }
+    EXPECT_NO_THROW(contact.begin()) << way;
+    EXPECT_NO_THROW(contact.end()) << way;
+  }
+}
+
 TEST(ContactTime, OfAContactThatIsThereAtTheStart) {
   ContactTime contact;
   contact.add({0.0, 1.0});
