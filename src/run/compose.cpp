@@ -243,8 +243,7 @@ Composition compose(const Scene& scene, std::shared_ptr<const Bodies> bodies) {
         scene.disk.file));
   }
   const IntegratorKind integrator = scene.numerics.integrator;
-  if (traits_of(integrator).stepping == Stepping::kReduced &&
-      has_flag(bodies->flags, Flag::kFloppy)) {
+  if (moves_less_than_all(integrator) && has_flag(bodies->flags, Flag::kFloppy)) {
     throw bad_value("numerics.integrator", traits_of(integrator).name,
                     "another one for a floppy lattice, which has no static compliance");
   }

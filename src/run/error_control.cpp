@@ -210,7 +210,7 @@ bool ErrorControl::starts_too_near(const FinishedImpact& run) {
   constexpr double kLessBeforeFolds = 1e-4;
   if (scene_.impact.gap) return false;
   const double most = kMostTail * scene_.numerics.error;
-  const bool begins_to_fold = run.folded && !is_lifted_for_folds_ && !moves_less_than_all();
+  const bool begins_to_fold = run.folded && !is_lifted_for_folds_;
   if (run.tail_error <= most && !begins_to_fold) return false;
   double fewer = std::max(1.0, 2.0 * run.tail_error / most);
   if (begins_to_fold) fewer /= kLessBeforeFolds;
@@ -235,7 +235,8 @@ bool ErrorControl::leaves_out_too_much(const FinishedImpact& run) {
         std::max(left_out, run.model_error.spin / std::abs(scene_.impact.tangential_velocity()));
   }
   const bool too_much = !(left_out <= kMostLeftOut * scene_.numerics.error);
-  const bool may_fold = moves_less_than_all() && (run.folded || run.model_error.may_fold);
+  const bool may_fold =
+      moves_less_than_all(resolution_.integrator) && (run.folded || run.model_error.may_fold);
   if (!too_much && !may_fold) return false;
   if (!go_on_otherwise()) {
     give_up(too_much
@@ -245,15 +246,11 @@ bool ErrorControl::leaves_out_too_much(const FinishedImpact& run) {
   return true;
 }
 
-bool ErrorControl::moves_less_than_all() const {
-  return traits_of(resolution_.integrator).stepping == Stepping::kReduced;
-}
-
 /// Where `auto` began with a method for slow impacts, by one for all. False if it did not, or if
 /// that would take too long.
 bool ErrorControl::go_on_otherwise() {
   const IntegratorKind present = resolution_.integrator;
-  const bool is_slow = moves_less_than_all() || present == IntegratorKind::kImex;
+  const bool is_slow = moves_less_than_all(present) || present == IntegratorKind::kImex;
   if (!is_slow || scene_.numerics.integrator != IntegratorKind::kAuto) return false;
   rates_.imex = present == IntegratorKind::kModal;
   rates_.modal = false;
@@ -353,7 +350,7 @@ void ErrorControl::add(const ModelError& left_out) {
     const double relative = is_read_off_steps(name) ? left_out.others : left_out.restitution;
     answer_.error.*number += relative * std::abs(answer_.value.*number);
   }
-  if (!moves_less_than_all()) return;
+  if (!moves_less_than_all(resolution_.integrator)) return;
   const double turned = left_out.spin / std::abs(answer_.value.spin_after);
   answer_.error.spin_after += left_out.spin;
   answer_.error.rotation_energy += 2.0 * turned * answer_.value.rotation_energy;

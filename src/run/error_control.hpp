@@ -136,7 +136,6 @@ class ErrorControl {
   bool starts_too_near(const FinishedImpact& run);
   const ModelError& model_error_of(const Run& run);
   bool leaves_out_too_much(const FinishedImpact& run);
-  bool moves_less_than_all() const;
   bool go_on_otherwise();
   void note_irregularities(const FinishedImpact& run);
   std::size_t runs_needed() const;

@@ -24,10 +24,6 @@ constexpr double kManyHops = 0.01;  // of the impact's energy
 constexpr std::uint64_t kSlopeSteps = 4;
 constexpr double kPushed = 0.01;  // of the largest force on a point
 
-bool moves_less_than_all(IntegratorKind integrator) {
-  return traits_of(integrator).stepping == Stepping::kReduced;
-}
-
 /// The force above which a point is listed as in contact: 10⁻⁶ of the load, or of M v c/R.
 double contact_force(const Scene& scene) {
   return 1e-6 * (scene.kind == SceneKind::kContact ? scene.load.p : scene.impact.normal_velocity());

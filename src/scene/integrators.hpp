@@ -114,6 +114,11 @@ constexpr bool solves_for_damping(IntegratorKind kind) {
 /// Whether it solves for what the bonds do, too.
 constexpr bool solves_for_bonds(IntegratorKind kind) { return traits_of(kind).implicit_bonds; }
 
+/// Whether it follows less than all points: as a rigid body, or in modes.
+constexpr bool moves_less_than_all(IntegratorKind kind) {
+  return traits_of(kind).stepping == Stepping::kReduced;
+}
+
 /// Order of a method whose step is given.
 constexpr int order_of(IntegratorKind kind) { return traits_of(kind).order; }
 

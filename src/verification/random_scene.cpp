@@ -163,8 +163,7 @@ RandomScene random_slow_scene(std::uint64_t seed, int number) {
     if (!can_be_made(scene)) continue;
     const Composition composition = compose(scene);
     const IntegratorKind integrator = composition.resolution.integrator;
-    const bool is_slow =
-        traits_of(integrator).stepping == Stepping::kReduced || integrator == IntegratorKind::kImex;
+    const bool is_slow = moves_less_than_all(integrator) || integrator == IntegratorKind::kImex;
     if (is_slow && work_of(composition) <= kMostWorkOfSlowScene) return {scene, rejected};
   }
 }

@@ -59,7 +59,7 @@ std::vector<TestScene> test_scenes(bool quick) {
 std::vector<IntegratorKind> integrators_of(const Scene& scene) {
   std::vector<IntegratorKind> list;
   for (const auto& entry : integrator_names()) {
-    const bool moves_all_points = traits_of(entry.second).stepping != Stepping::kReduced;
+    const bool moves_all_points = !moves_less_than_all(entry.second);
     if (entry.second != IntegratorKind::kAuto && moves_all_points &&
         can_have(scene, entry.second)) {
       list.push_back(entry.second);
