@@ -183,8 +183,6 @@ struct Kernels {
   /// Both substitutions. `pairs` are x and y of each row and of one more, 0; they become the
   /// solution. `scratch` has 2 kQuad places a quad of the largest panel.
   void (*substitute)(const Panels& panels, double* pairs, double* scratch);
-  /// The same of one number a row; `scratch` has kQuad places a quad.
-  void (*substitute_one)(const Panels& panels, double* numbers, double* scratch);
   /// y = A x, of so many columns x.
   void (*multiply)(const DenseMatrix& matrix, const double* x, std::int64_t sides, double* y);
   LaneKernels lanes;

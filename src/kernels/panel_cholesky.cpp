@@ -60,8 +60,8 @@ std::vector<std::int32_t> find_supernodes(const SparseMatrix& lower) {
 
 }  // namespace
 
-PanelCholesky::PanelCholesky(const SparseMatrix& matrix, const Kernels& kernels, Sides sides)
-    : kernels_(&kernels), sides_(sides) {
+PanelCholesky::PanelCholesky(const SparseMatrix& matrix, const Kernels& kernels)
+    : kernels_(&kernels) {
   const Eigen::SimplicialLLT<SparseMatrix> factorisation(matrix);
   if (factorisation.info() != Eigen::Success) {
     throw std::runtime_error(
@@ -76,9 +76,8 @@ PanelCholesky::PanelCholesky(const SparseMatrix& matrix, const Kernels& kernels,
     add_panel(lower, first[k], first[k + 1] - first[k]);
     most_quads = std::max(most_quads, supernodes_.back().quads);
   }
-  const auto numbers = static_cast<std::size_t>(width());
-  numbers_.resize(numbers * (place_.size() + 1));
-  scratch_.resize(numbers * static_cast<std::size_t>(kQuad * most_quads));
+  pairs_.resize(2 * (place_.size() + 1));
+  scratch_.resize(2 * static_cast<std::size_t>(kQuad * most_quads));
 }
 
 void PanelCholesky::add_panel(const SparseMatrix& lower, std::int32_t first, std::int32_t width) {
@@ -140,16 +139,17 @@ void PanelCholesky::solve(LaneArray& b) {
 }
 
 void PanelCholesky::solve(PointArray& b) {
-  const Eigen::Index points = b.rows();
-  double* const rows = numbers_.data();
-  for (int axis = 0; axis < 2; ++axis) {
-    for (Eigen::Index i = 0; i < points; ++i) rows[place(i, axis, points)] = b(i, axis);
+  for (std::size_t i = 0; i < place_.size(); ++i) {
+    double* const pair = &pairs_[2 * static_cast<std::size_t>(place_[i])];
+    pair[0] = b(static_cast<Eigen::Index>(i), 0);
+    pair[1] = b(static_cast<Eigen::Index>(i), 1);
   }
-  std::fill(numbers_.end() - width(), numbers_.end(), 0.0);
-  (sides_ == Sides::kTwo ? kernels_->substitute : kernels_->substitute_one)(panels(), rows,
-                                                                            scratch_.data());
-  for (int axis = 0; axis < 2; ++axis) {
-    for (Eigen::Index i = 0; i < points; ++i) b(i, axis) = rows[place(i, axis, points)];
+  std::fill(pairs_.end() - 2, pairs_.end(), 0.0);
+  kernels_->substitute(panels(), pairs_.data(), scratch_.data());
+  for (std::size_t i = 0; i < place_.size(); ++i) {
+    const double* const pair = &pairs_[2 * static_cast<std::size_t>(place_[i])];
+    b(static_cast<Eigen::Index>(i), 0) = pair[0];
+    b(static_cast<Eigen::Index>(i), 1) = pair[1];
   }
 }
 

@@ -1,20 +1,15 @@
 #include "mechanics/imex.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
 #include "mechanics/kick.hpp"
 
 namespace impact {
 
 void Imex::restart(ForceField& field, const State& state) {
-  if (!field.unstrained) throw std::invalid_argument("Imex: no unstrained positions");
-  arm_ = field.unstrained->rowwise() - field.unstrained->colwise().mean();
-  turned_arm_.resize(arm_.rows(), 2);
-  turned_arm_.col(0) = -arm_.col(1);
-  turned_arm_.col(1) = arm_.col(0);
+  solver_.emplace(field);
   field.resize(force_);
-  field.resize(damping_);
+  field.resize(differences_);
   field.evaluate_undamped(state.position, force_);
 }
 
@@ -23,21 +18,19 @@ Losses Imex::step(ForceField& field, State& state, double h) {
   const double angle = middle_angle(state, h);
   kick(half_kick, force_, state.velocity);
   middle_velocity_ = state.velocity;
-  solver_.prepare(field, 0.5 * h);
-  const Eigen::Array2d mean = middle_velocity_.colwise().mean();
-  middle_velocity_.rowwise() -= mean.transpose();
+  solver_->prepare(h);
   turn(-angle, middle_velocity_);
-  solver_.solve(middle_velocity_);
-  turn(angle, middle_velocity_);
-  middle_velocity_.rowwise() += mean.transpose();
-  kick(h, middle_velocity_, state.position);
+  solver_->solve(middle_velocity_, differences_);
 
   Losses lost;
   if (field.damped()) {
-    const Losses power = field.evaluate_damping(middle_velocity_, damping_);
-    lost = {h * power.dissipated, h * power.absorbed};
-    kick(2.0 * half_kick, damping_, state.velocity);
+    const double viscosity = field.bonds.law().eta;
+    lost.dissipated = h * viscosity * dot(middle_velocity_, differences_);
+    turn(angle, differences_);
+    kick(-2.0 * half_kick * viscosity, differences_, state.velocity);
   }
+  turn(angle, middle_velocity_);
+  kick(h, middle_velocity_, state.position);
   field.evaluate_undamped(state.position, force_);
   kick(half_kick, force_, state.velocity);
   return lost;
@@ -47,7 +40,7 @@ double Imex::middle_angle(const State& state, double h) const {
   const auto component = [&](const PointArray& along) {
     return dot(state.position, along) + 0.5 * h * dot(state.velocity, along);
   };
-  return std::atan2(component(turned_arm_), component(arm_));
+  return std::atan2(component(solver_->rotation()), component(solver_->arm()));
 }
 
 double Imex::step_limit(double omega_squared, double /*gamma*/) const {

@@ -8,32 +8,17 @@
 
 namespace impact {
 
-/// Which forces an implicit method takes at the velocities that it solves for.
-enum class Implicit {
-  kDamping,
-  kDampingAndBonds  ///< those of the unstrained bonds, to first order
-};
-
 /// 1 + s D/m with the damping D along one axis (0: x, 1: y), see ForceField::damping(); s in R/c.
 Eigen::SparseMatrix<double> damping_matrix(const ForceField& field, int axis, double scale);
 
-/// 1 + s D/m + s² K/m with the stiffness K of the unstrained bonds; rows and columns x of all
-/// points, then y.
-/// @throw std::invalid_argument where the field has supports or does not know its unstrained
-/// positions.
-Eigen::SparseMatrix<double> damping_and_bonds_matrix(const ForceField& field, double scale);
-
-/// Solves (1 + s D/m) u = r, or (1 + s D/m + s² K/m) u = r, for the velocities u of all points,
-/// with the constant matrices D of the field's damping and K of its unstrained bonds. Where the
-/// field holds the rotation or supports coordinates, u keeps the constraint; supports only without
-/// K.
+/// Solves (1 + s D/m) u = r for the velocities u of all points, with the constant matrix D of the
+/// field's damping. Where the field holds the rotation or supports coordinates, u keeps the
+/// constraint.
 ///
-/// Without K x and y have the same Cholesky factor unless dashpots or supports tell them apart, and
-/// go through it together.
+/// x and y have the same Cholesky factor unless dashpots or supports tell them apart, and go
+/// through it together.
 class VelocitySolver {
  public:
-  explicit VelocitySolver(Implicit implicit = Implicit::kDamping) : implicit_(implicit) {}
-
   /// Factorises the matrix of this field with this s (R/c), unless it has done so last.
   void prepare(const ForceField& field, double scale);
 
@@ -43,7 +28,6 @@ class VelocitySolver {
  private:
   void factorise(const ForceField& field, double scale);
 
-  Implicit implicit_;
   double scale_ = 0.0;
   std::vector<PanelCholesky> factors_;  ///< one for both axes, or one for each
   PointArray y_solution_;               ///< with the factor of the y axis, where it has its own

@@ -44,7 +44,7 @@ struct ModalState {
 ///   q̈ = −Λ q − D q̇ + Tᵀ f + g(t),  Ÿ = Σ f,  f = a V₀ exp(−a y),
 ///   y = Y + (sin φ, cos φ)·(s + u),
 /// the force on the rotation being the torque at the lever arms s + u. Stepped as Imex steps all
-/// points, of order 2, with one product with an inverse a step:
+/// points, but by its stiffness itself, of order 2, with one product with an inverse a step:
 ///   (μ + h D/2 + h² Λ/4) q̇½ = μ q̇ₙ + h Fₙ/2,  qₙ₊₁ = qₙ + h q̇½,
 ///   μ q̇ₙ₊₁ = μ q̇ₙ + h (Fₙ + Fₙ₊₁)/2 − h D q̇½,
 /// F the forces without damping. The wall, stiff as κ = a f on a point, needs h² κ below 4 times

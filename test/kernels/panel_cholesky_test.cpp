@@ -116,29 +116,6 @@ TEST_P(EveryPanelKernel, SolvesEachColumnForItself) {
   EXPECT_TRUE((alone.col(1) == 0.0).all());
 }
 
-/// One right-hand side goes through the factor as each of two does.
-TEST_P(EveryPanelKernel, SolvesForOneRightHandSide) {
-  constexpr int kPoints = 19;
-  SparseMatrix matrix(2 * kPoints, 2 * kPoints);
-  for (int i = 0; i < 2 * kPoints; ++i) {
-    matrix.insert(i, i) = 3.0 + 0.1 * i;
-    if (i > 0) matrix.insert(i, i - 1) = matrix.insert(i - 1, i) = -0.9;
-    if (i >= kPoints) matrix.insert(i, i - kPoints) = matrix.insert(i - kPoints, i) = -0.6;
-  }
-  const PointArray b = some_columns(kPoints);
-  PointArray twice(2 * kPoints, 2);
-  twice.col(0) << b.col(0), b.col(1);
-  twice.col(1) = -2.0 * twice.col(0);
-  PanelCholesky(matrix, *GetParam()).solve(twice);
-  PanelCholesky one(matrix, *GetParam(), Sides::kOne);
-  for (int repetition = 0; repetition < 2; ++repetition) {
-    PointArray u = b;
-    one.solve(u);
-    EXPECT_TRUE((u.col(0) == twice.col(0).head(kPoints)).all());
-    EXPECT_TRUE((u.col(1) == twice.col(0).tail(kPoints)).all());
-  }
-}
-
 /// The row that fills up the panels forgets what was not finite.
 TEST_P(EveryPanelKernel, ForgetsWhatWasNotFinite) {
   SparseMatrix matrix(3, 3);

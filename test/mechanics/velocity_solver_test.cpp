@@ -4,20 +4,18 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <memory>
-#include <stdexcept>
 
 #include "test_lattices.hpp"
 
 namespace impact {
 namespace {
 
-constexpr double kMass = 0.1;
+constexpr double kPatchMass = 0.1;
 constexpr double kScale = 2.5;  // s D/m has eigenvalues up to 60
 /// Of sums of some ten terms of up to 60.
 constexpr double kRounding = 1e-13;
 
-ForceField damped_patch() { return {BondForces(triangular_patch(4), {1.0, 0.5, 0.2}), kMass}; }
+ForceField damped_patch() { return {BondForces(triangular_patch(4), {1.0, 0.5, 0.2}), kPatchMass}; }
 
 PointArray some_velocities() {
   std::srand(5);
@@ -32,7 +30,7 @@ PointArray product(ForceField field, const PointArray& u) {
   const PointArray position = triangular_patch(4).points;
   field.evaluate(position, u, damping);
   field.evaluate_undamped(position, elastic);
-  return u - kScale / kMass * (damping - elastic);
+  return u - kScale / kPatchMass * (damping - elastic);
 }
 
 PointArray solved(const ForceField& field, PointArray r) {
@@ -79,63 +77,6 @@ TEST(VelocitySolver, SolvesTheSystemWithSupports) {
   EXPECT_EQ(u(7, 0), 0.0);
   EXPECT_EQ(u(5, 1), 0.0);
   EXPECT_LT((product(field, u) - r).abs().maxCoeff(), kRounding);
-}
-
-ForceField patch_with_bonds(double eta) {
-  ForceField field{BondForces(triangular_patch(4), {1.0, 0.5, eta}), kMass};
-  field.unstrained = std::make_shared<const PointArray>(triangular_patch(4).points);
-  return field;
-}
-
-/// (1 + s D/m + s² K/m) u, K by the forces that small displacements along ±u call forth.
-PointArray product_with_bonds(ForceField field, const PointArray& u) {
-  constexpr double kSmall = 1e-5;  // forces are odd functions of it up to some kSmall²
-  const PointArray ahead = *field.unstrained + kSmall * u;
-  const PointArray behind = *field.unstrained - kSmall * u;
-  PointArray forwards(16, 2);
-  PointArray backwards(16, 2);
-  field.evaluate_undamped(ahead, forwards);
-  field.evaluate_undamped(behind, backwards);
-  return product(field, u) - kScale * kScale / kMass * (forwards - backwards) / (2.0 * kSmall);
-}
-
-PointArray solved_with_bonds(const ForceField& field, PointArray r) {
-  VelocitySolver solver(Implicit::kDampingAndBonds);
-  solver.prepare(field, kScale);
-  solver.solve(r);
-  return r;
-}
-
-TEST(VelocitySolver, SolvesTheSystemWithTheStiffnessOfTheBonds) {
-  for (const double eta : {0.0, 0.2}) {
-    const ForceField field = patch_with_bonds(eta);
-    const PointArray r = some_velocities();
-    const PointArray u = solved_with_bonds(field, r);
-    EXPECT_GT((u - r).abs().maxCoeff(), 0.1);
-    // Third derivatives of forces, times kSmall² and s²/m; and rounding of forces over kSmall.
-    EXPECT_LT((product_with_bonds(field, u) - r).abs().maxCoeff(), 1e-7);
-  }
-}
-
-/// A rigid motion, up to first order, calls forth no force.
-TEST(VelocitySolver, LeavesRigidMotionToItselfWithoutDamping) {
-  const PointArray points = triangular_patch(4).points;
-  PointArray r(16, 2);
-  r.col(0) = 0.3 - 0.2 * points.col(1);
-  r.col(1) = -0.1 + 0.2 * points.col(0);
-  EXPECT_LT((solved_with_bonds(patch_with_bonds(0.0), r) - r).abs().maxCoeff(), 1e-12);
-}
-
-TEST(VelocitySolver, HoldsTheRotationWithTheBonds) {
-  ForceField field = patch_with_bonds(0.2);
-  field.hold.emplace(triangular_patch(4).points);
-  const PointArray u = solved_with_bonds(field, some_velocities());
-  EXPECT_NEAR((field.hold->direction() * u).sum(), 0.0, 10.0 * kRounding);
-}
-
-TEST(VelocitySolver, WantsUnstrainedPositionsForTheBonds) {
-  VelocitySolver solver(Implicit::kDampingAndBonds);
-  EXPECT_THROW(solver.prepare(damped_patch(), kScale), std::invalid_argument);
 }
 
 /// With the constraint's direction c and a multiplier λ, (1 + s D/m) u = r + λ c and c · u = 0.

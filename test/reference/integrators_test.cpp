@@ -197,7 +197,7 @@ std::vector<ErrorPoint> errors_of_steps(double eta, double least) {
   const double shorter = std::pow(10.0, -0.5 / I::kOrder);  // √10 between errors
   const State reference = reference_of_impact(eta);
   std::vector<ErrorPoint> points;
-  for (double step = 0.5; step > 5e-5; step *= shorter) {
+  for (double step = 0.5; step > 1e-5; step *= shorter) {
     const int steps = static_cast<int>(std::lround(kImpactTime / step));
     const double error = difference(after_impact(I(), eta, steps), reference);
     if (error < least) break;
@@ -208,8 +208,8 @@ std::vector<ErrorPoint> errors_of_steps(double eta, double least) {
 
 template <class I>
 double observed_order(double eta) {
-  // Order 2 takes 10⁵ steps to 10⁻⁹; in more of them, each with the solution of a linear system,
-  // rounding adds up to 10⁻¹⁰.
+  // Order 2 takes some 10⁵ steps to 10⁻⁹; in more of them, each with the solution of a linear
+  // system, rounding adds up to 10⁻¹⁰.
   const double least = I::kOrder == 2 ? 1e-9 : 1e-11;
   const std::vector<ErrorPoint> points = errors_of_steps<I>(eta, least);
   EXPECT_GE(points.size(), 7U);

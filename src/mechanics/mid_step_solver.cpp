@@ -1,0 +1,80 @@
+#include "mechanics/mid_step_solver.hpp"
+
+#include <stdexcept>
+
+#include "mechanics/kick.hpp"
+#include "mechanics/velocity_solver.hpp"
+
+namespace impact {
+namespace {
+
+BondForces with_unit_viscosity(const ForceField& field) {
+  if (field.bonds.has_two_laws() || field.supports) {
+    throw std::invalid_argument("bonds of two laws and supports do not go with implicit bonds");
+  }
+  BondLaw law = field.bonds.law();
+  law.eta = 1.0;
+  return field.bonds.with(law);
+}
+
+}  // namespace
+
+MidStepSolver::MidStepSolver(const ForceField& field)
+    : differences_of_(with_unit_viscosity(field)),
+      law_(field.bonds.law()),
+      point_mass_(field.point_mass),
+      is_held_(field.hold.has_value()) {
+  if (!field.unstrained) throw std::invalid_argument("the field has no unstrained positions");
+  arm_ = field.unstrained->rowwise() - field.unstrained->colwise().mean();
+  rotation_.resize(arm_.rows(), 2);
+  rotation_.col(0) = -arm_.col(1);
+  rotation_.col(1) = arm_.col(0);
+  rotation_squared_ = dot(rotation_, rotation_);
+}
+
+void MidStepSolver::prepare(double h) {
+  if (h == step_) return;
+  step_ = h;
+  const double damping = 0.5 * h * law_.eta / point_mass_;
+  coupling_ = damping + 0.25 * h * h * law_.k_a / point_mass_;
+  factor_.emplace(damping_matrix(ForceField{differences_of_}, 0, coupling_));
+
+  held_response_ = rotation_;
+  factor_->solve(held_response_);
+  held_differences_ = (rotation_ - held_response_) / coupling_;
+  held_share_ = 1.0 / dot(rotation_, held_response_);
+
+  const double part = damping / coupling_;
+  const PointArray within = rotation_ - rotation_squared_ * held_share_ * held_response_;
+  const PointArray of_rotation = laplacian_of(rotation_);
+  turning_response_ = rotation_ - part * within;
+  turning_differences_ = of_rotation - part * laplacian_of(within);
+  const double resisted = damping * dot(turning_response_, of_rotation);
+  turning_share_ = is_held_ ? 0.0 : 1.0 / (rotation_squared_ + resisted);
+}
+
+PointArray MidStepSolver::laplacian_of(const PointArray& x) {
+  PointArray product(x.rows(), 2);
+  differences_of_.evaluate_damping(x, product);
+  return -product;
+}
+
+/// With s = B⁻¹ of what is neither mean velocity nor rotation, α = p·b/p·A r and μ = r·s/r·z,
+/// u = mean + s + α p − μ z; and L s = (b − s)/c.
+void MidStepSolver::solve(PointArray& velocity, PointArray& differences) {
+  const Eigen::Array2d mean = velocity.colwise().mean();
+  velocity.rowwise() -= mean.transpose();
+  const double turning = turning_share_ * dot(turning_response_, velocity);
+  velocity -= dot(rotation_, velocity) / rotation_squared_ * rotation_;
+  differences = velocity;
+  factor_->solve(velocity);
+  const double held = held_share_ * dot(rotation_, velocity);
+
+  differences = (differences - velocity) / coupling_ + turning * turning_differences_ -
+                held * held_differences_;
+  velocity += turning * turning_response_ - held * held_response_;
+  velocity.rowwise() += mean.transpose();
+  if (is_held_) differences -= dot(rotation_, differences) / rotation_squared_ * rotation_;
+}
+
+}  // namespace impact
