@@ -59,13 +59,12 @@ PointArray MidStepSolver::laplacian_of(const PointArray& x) {
   return -product;
 }
 
-/// With s = B⁻¹ of what is neither mean velocity nor rotation, α = p·b/p·A r and μ = r·s/r·z,
-/// u = mean + s + α p − μ z; and L s = (b − s)/c.
+/// Less the mean, with s = B⁻¹ b, α = p·b/p·A r and μ = r·s/r·z, u = s + α p − μ z; and
+/// L s = (b − s)/c.
 void MidStepSolver::solve(PointArray& velocity, PointArray& differences) {
   const Eigen::Array2d mean = velocity.colwise().mean();
   velocity.rowwise() -= mean.transpose();
   const double turning = turning_share_ * dot(turning_response_, velocity);
-  velocity -= dot(rotation_, velocity) / rotation_squared_ * rotation_;
   differences = velocity;
   factor_->solve(velocity);
   const double held = held_share_ * dot(rotation_, velocity);

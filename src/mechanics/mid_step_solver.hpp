@@ -18,9 +18,9 @@ namespace impact {
 /// the velocities of a rigid rotation, z = B⁻¹ r, q = r − z |r|²/r·z, g = h η/2mc and p = r − g q,
 ///   A⁻¹ = B⁻¹ − z zᵀ/r·z + p pᵀ/p·A r.
 ///
-/// Mean velocity and rigid rotation, which the matrix leaves as they are but for damping, do not go
-/// through the factor, since rounding would make relative velocities of them, c |L| spacings of
-/// doubles large.
+/// The mean velocity, which the matrix leaves as it is, does not go through the factor, since
+/// rounding would make relative velocities of it, c |L| spacings of doubles large. Rotation is so
+/// small in s = B⁻¹ b that p restores it to rounding.
 ///
 /// Where the field holds the rotation, u keeps the constraint.
 class MidStepSolver {
