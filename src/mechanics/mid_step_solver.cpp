@@ -26,10 +26,7 @@ MidStepSolver::MidStepSolver(const ForceField& field)
       is_held_(field.hold.has_value()) {
   if (!field.unstrained) throw std::invalid_argument("the field has no unstrained positions");
   arm_ = field.unstrained->rowwise() - field.unstrained->colwise().mean();
-  rotation_.resize(arm_.rows(), 2);
-  rotation_.col(0) = -arm_.col(1);
-  rotation_.col(1) = arm_.col(0);
-  rotation_squared_ = dot(rotation_, rotation_);
+  rotation_.emplace(*field.unstrained);
 }
 
 void MidStepSolver::prepare(double h) {
@@ -39,18 +36,20 @@ void MidStepSolver::prepare(double h) {
   coupling_ = damping + 0.25 * h * h * law_.k_a / point_mass_;
   factor_.emplace(damping_matrix(ForceField{differences_of_}, 0, coupling_));
 
-  held_response_ = rotation_;
+  const PointArray& r = rotation();
+  const double r_squared = dot(r, r);
+  held_response_ = r;
   factor_->solve(held_response_);
-  held_differences_ = (rotation_ - held_response_) / coupling_;
-  held_share_ = 1.0 / dot(rotation_, held_response_);
+  held_differences_ = (r - held_response_) / coupling_;
+  held_share_ = 1.0 / dot(r, held_response_);
 
   const double part = damping / coupling_;
-  const PointArray within = rotation_ - rotation_squared_ * held_share_ * held_response_;
-  const PointArray of_rotation = laplacian_of(rotation_);
-  turning_response_ = rotation_ - part * within;
+  const PointArray within = r - r_squared * held_share_ * held_response_;
+  const PointArray of_rotation = laplacian_of(r);
+  turning_response_ = r - part * within;
   turning_differences_ = of_rotation - part * laplacian_of(within);
   const double resisted = damping * dot(turning_response_, of_rotation);
-  turning_share_ = is_held_ ? 0.0 : 1.0 / (rotation_squared_ + resisted);
+  turning_share_ = is_held_ ? 0.0 : 1.0 / (r_squared + resisted);
 }
 
 PointArray MidStepSolver::laplacian_of(const PointArray& x) {
@@ -67,13 +66,13 @@ void MidStepSolver::solve(PointArray& velocity, PointArray& differences) {
   const double turning = turning_share_ * dot(turning_response_, velocity);
   differences = velocity;
   factor_->solve(velocity);
-  const double held = held_share_ * dot(rotation_, velocity);
+  const double held = held_share_ * dot(rotation(), velocity);
 
   differences = (differences - velocity) / coupling_ + turning * turning_differences_ -
                 held * held_differences_;
   velocity += turning * turning_response_ - held * held_response_;
   velocity.rowwise() += mean.transpose();
-  if (is_held_) differences -= dot(rotation_, differences) / rotation_squared_ * rotation_;
+  if (is_held_) rotation_->take_out_rotation(differences);
 }
 
 }  // namespace impact

@@ -38,7 +38,7 @@ class MidStepSolver {
 
   /// Unstrained positions about their centre of mass, and the same turned by a right angle: r.
   const PointArray& arm() const { return arm_; }
-  const PointArray& rotation() const { return rotation_; }
+  const PointArray& rotation() const { return rotation_->direction(); }
 
  private:
   /// L x.
@@ -50,8 +50,7 @@ class MidStepSolver {
   bool is_held_;
   double step_ = 0.0;
   PointArray arm_;
-  PointArray rotation_;
-  double rotation_squared_;  ///< |r|²
+  std::optional<RotationHold> rotation_;
 
   double coupling_ = 0.0;  ///< c
   std::optional<PanelCholesky> factor_;
