@@ -1,6 +1,7 @@
 #include "kernels/panel_cholesky.hpp"
 
 #include <Eigen/Dense>
+#include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cstddef>
@@ -60,16 +61,25 @@ std::vector<std::int32_t> find_supernodes(const SparseMatrix& lower) {
 
 }  // namespace
 
-PanelCholesky::PanelCholesky(const SparseMatrix& matrix, const Kernels& kernels)
-    : kernels_(&kernels) {
-  const Eigen::SimplicialLLT<SparseMatrix> factorisation(matrix);
+EliminationOrder elimination_order(const SparseMatrix& matrix) {
+  EliminationOrder rows_in_order;
+  Eigen::AMDOrdering<std::int32_t>()(matrix, rows_in_order);
+  return rows_in_order.inverse();
+}
+
+PanelCholesky::PanelCholesky(const SparseMatrix& matrix, const EliminationOrder& order,
+                             const Kernels& kernels)
+    : kernels_(&kernels),
+      place_(order.indices().data(), order.indices().data() + order.indices().size()) {
+  SparseMatrix ordered;
+  ordered = matrix.selfadjointView<Eigen::Lower>().twistedBy(order);
+  const Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<std::int32_t>>
+      factorisation(ordered);
   if (factorisation.info() != Eigen::Success) {
     throw std::runtime_error(
         "a matrix is not positive definite, for rounding or a number too large");
   }
   const SparseMatrix& lower = factorisation.matrixL().nestedExpression();
-  const auto& order = factorisation.permutationP().indices();
-  place_.assign(order.data(), order.data() + order.size());
   const std::vector<std::int32_t> first = find_supernodes(lower);
   std::int64_t most_quads = 0;
   for (std::size_t k = 0; k + 1 < first.size(); ++k) {

@@ -12,10 +12,17 @@
 
 namespace impact {
 
+/// The place of each row of a matrix when it is eliminated.
+using EliminationOrder = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, std::int32_t>;
+
+/// By approximate minimum degree (Eigen's AMD): leaves few elements in a Cholesky factor beside
+/// those of the symmetric matrix.
+EliminationOrder elimination_order(const Eigen::SparseMatrix<double>& matrix);
+
 /// Solves A u = b for the same symmetric positive definite sparse A again and again, for the x and
 /// y of all points at once.
 ///
-/// Cholesky factor by Eigen (AMD ordering), once. Its columns are then joined to supernodes (T. A.
+/// Cholesky factor by Eigen, once. Its columns are then joined to supernodes (T. A.
 /// Davis, Direct Methods for Sparse Linear Systems, 2006, 4.8; relaxed, with some zeros between
 /// them). With L₁ the triangle on the diagonal of a supernode and L₂ the rows below it, the panel
 ///   Q = (L₁⁻¹; −L₂ L₁⁻¹)
@@ -28,7 +35,11 @@ class PanelCholesky {
  public:
   /// @throw std::runtime_error for a matrix that is not positive definite.
   explicit PanelCholesky(const Eigen::SparseMatrix<double>& matrix,
-                         const Kernels& kernels = impact::kernels());
+                         const Kernels& kernels = impact::kernels())
+      : PanelCholesky(matrix, elimination_order(matrix), kernels) {}
+  /// In this order.
+  PanelCholesky(const Eigen::SparseMatrix<double>& matrix, const EliminationOrder& order,
+                const Kernels& kernels = impact::kernels());
 
   /// Overwrites b with u.
   void solve(PointArray& b);

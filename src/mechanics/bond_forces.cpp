@@ -89,7 +89,18 @@ PartsNeeded BondForces::parts_needed(const Table& table) {
 
 BondForces BondForces::of_two_laws(BondForces first, BondForces second) {
   first.second_.push_back(std::move(second));
+  first.order_ = std::make_shared<OrderOnDemand>();
   return first;
+}
+
+const EliminationOrder& BondForces::elimination_order() const {
+  std::call_once(order_->once, [this] {
+    const std::vector<Eigen::Triplet<double>> entries = damping();
+    Eigen::SparseMatrix<double> matrix(points(), points());
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    order_->order = impact::elimination_order(matrix);
+  });
+  return order_->order;
 }
 
 BondForces BondForces::with(const BondLaw& law) const {

@@ -3,11 +3,13 @@
 #include <Eigen/SparseCore>
 #include <boost/align/aligned_allocator.hpp>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
 #include "kernels/in_parts.hpp"
 #include "kernels/kernels.hpp"
+#include "kernels/panel_cholesky.hpp"
 #include "lattice/lattice.hpp"
 
 namespace impact {
@@ -81,6 +83,10 @@ class BondForces {
   /// and −η between its ends (M c/R), those of one place to be added up.
   std::vector<Eigen::Triplet<double>> damping() const;
 
+  /// Of a matrix with the elements of damping() and a diagonal. Found when somebody asks for it,
+  /// for all copies.
+  const EliminationOrder& elimination_order() const;
+
   Eigen::Index points() const {
     return second_.empty() ? table_->points : table_->points + second_.front().points();
   }
@@ -125,6 +131,10 @@ class BondForces {
     PartsNeeded needed;
     Eigen::Index slices() const { return static_cast<Eigen::Index>(begin.size()) - 1; }
   };
+  struct OrderOnDemand {
+    std::once_flag once;
+    EliminationOrder order;
+  };
   static std::shared_ptr<const Table> table_of(const Lattice& lattice);
   static PartsNeeded parts_needed(const Table& table);
 
@@ -151,6 +161,7 @@ class BondForces {
   BondLaw law_;
   const Kernels* kernels_;
   std::shared_ptr<const Table> table_;
+  std::shared_ptr<OrderOnDemand> order_ = std::make_shared<OrderOnDemand>();
   Aligned<double> position_pairs_;  ///< of the last evaluation, if there was one
   Aligned<double> velocity_pairs_;  ///< the same, of a law with damping
   std::vector<double> part_sums_;   ///< what a kernel returns, of each part of the points

@@ -6,7 +6,8 @@ void LaneVelocitySolver::prepare(const LaneField& field, const LaneNumbers& scal
   const double common = scale.maxCoeff();
   if (common == scale_) return;
   scale_ = common;
-  factor_.emplace(damping_matrix(field.latest(), 0, common));
+  factor_.emplace(damping_matrix(field.latest(), 0, common),
+                  field.latest().bonds.elimination_order());
 }
 
 }  // namespace impact

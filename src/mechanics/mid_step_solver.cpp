@@ -34,7 +34,8 @@ void MidStepSolver::prepare(double h) {
   step_ = h;
   const double damping = 0.5 * h * law_.eta / point_mass_;
   coupling_ = damping + 0.25 * h * h * law_.k_a / point_mass_;
-  factor_.emplace(damping_matrix(ForceField{differences_of_}, 0, coupling_));
+  factor_.emplace(damping_matrix(ForceField{differences_of_}, 0, coupling_),
+                  differences_of_.elimination_order());
 
   const PointArray& r = rotation();
   const double r_squared = dot(r, r);
@@ -62,16 +63,18 @@ PointArray MidStepSolver::laplacian_of(const PointArray& x) {
 /// L s = (b − s)/c.
 void MidStepSolver::solve(PointArray& velocity, PointArray& differences) {
   const Eigen::Array2d mean = velocity.colwise().mean();
-  velocity.rowwise() -= mean.transpose();
+  for (const int axis : {0, 1}) velocity.col(axis) -= mean(axis);
   const double turning = turning_share_ * dot(turning_response_, velocity);
   differences = velocity;
   factor_->solve(velocity);
   const double held = held_share_ * dot(rotation(), velocity);
 
-  differences = (differences - velocity) / coupling_ + turning * turning_differences_ -
+  differences = 1.0 / coupling_ * (differences - velocity) + turning * turning_differences_ -
                 held * held_differences_;
-  velocity += turning * turning_response_ - held * held_response_;
-  velocity.rowwise() += mean.transpose();
+  for (const int axis : {0, 1}) {
+    velocity.col(axis) +=
+        turning * turning_response_.col(axis) - held * held_response_.col(axis) + mean(axis);
+  }
   if (is_held_) rotation_->take_out_rotation(differences);
 }
 

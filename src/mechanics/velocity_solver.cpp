@@ -16,9 +16,9 @@ Eigen::SparseMatrix<double> damping_matrix(const ForceField& field, int axis, do
 
 void VelocitySolver::factorise(const ForceField& field, double scale) {
   factors_.clear();
-  factors_.emplace_back(damping_matrix(field, 0, scale));
+  factors_.emplace_back(damping_matrix(field, 0, scale), field.bonds.elimination_order());
   if (field.viscous_boundary || field.supports) {
-    factors_.emplace_back(damping_matrix(field, 1, scale));
+    factors_.emplace_back(damping_matrix(field, 1, scale), field.bonds.elimination_order());
     y_solution_.resize(field.bonds.points(), 2);
   }
 }

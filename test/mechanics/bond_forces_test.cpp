@@ -275,6 +275,17 @@ TEST(BondForces, TriangularLatticeHasItsElasticConstants) {
   EXPECT_NEAR(c_11 - c_12 * c_12 / c_11, 2.0 / std::sqrt(3.0), 10.0 * kStrain);
 }
 
+/// One order for all copies, whatever their law; but that of two bodies has the points of both.
+TEST(BondForces, ShareTheOrderInWhichTheyAreEliminated) {
+  const BondForces bonds(triangular_patch(4), {1.0, 0.0, 0.0});
+  const BondForces damped = bonds.with({1.0, 0.0, 2.0});
+  EXPECT_EQ(&damped.elimination_order(), &bonds.elimination_order());
+  EXPECT_EQ(bonds.elimination_order().size(), 16);
+  const BondForces both = BondForces::of_two_laws(bonds, damped);
+  EXPECT_EQ(both.elimination_order().size(), 32);
+  EXPECT_EQ(bonds.elimination_order().size(), 16);
+}
+
 /// Two triangles beside each other: the forces, powers, energies and matrices of two bodies with
 /// two laws are those of each by itself.
 TEST(BondForces, OfTwoBodiesAreThoseOfEach) {
