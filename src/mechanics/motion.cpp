@@ -21,7 +21,8 @@ double Motion::inner_share(double a, double spacing) {
 }
 
 void Motion::limit_step(const Contact& wall, double approach, const StepBound& bound) {
-  const double margin = kWallMargin * wall.moving_ends() / field_.point_mass;
+  const double margin =
+      wall_margin(bound.solves_for_bonds()) * wall.moving_ends() / field_.point_mass;
   const auto rate = [&](double step) {
     return margin * wall.stiffness(wall.largest_force() * std::exp(wall.a() * approach * step));
   };

@@ -11,14 +11,17 @@ namespace impact {
 /// A system in motion.
 ///
 /// The wall grows stiffer the deeper a point is pressed into it. So the integrator's stability
-/// bound is checked before each step, with 1.5 times the stiffness a F of the largest force that a
-/// point may meet in that step: F exp(a v h), v being the greatest speed at which a point of the
-/// disk and one of the wall may approach each other. While the step exceeds the bound, it is halved
-/// for good.
+/// bound is checked before each step, with the stiffness a F of the largest force that a point may
+/// meet in that step, times wall_margin(): F exp(a v h), v being the greatest speed at which a
+/// point of the disk and one of the wall may approach each other. While the step exceeds the bound,
+/// it is halved for good.
 class Motion : public System {
  public:
-  /// Times the stiffness of the wall: for what the force may grow beyond the forecast.
-  static constexpr double kWallMargin = 1.5;
+  /// Times the stiffness of the wall: for what the force may grow beyond the forecast. None where
+  /// the method solves for the bonds: that adds to the inertia of the points.
+  static constexpr double wall_margin(bool solves_for_bonds) {
+    return solves_for_bonds ? 1.0 : 1.5;
+  }
   /// How deep below the outline of a body points count as outer ones, in spacings.
   static constexpr double kDepthOfOuterPoints = 0.5;
   /// Mean spacing of so many points of a disk, √(π/N) R.

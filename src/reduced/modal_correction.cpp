@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kWayOfStep = 0.2;       // a v h
 constexpr double kWayOfLastStep = 0.05;  // in the last pass
-constexpr double kWayOfInstants = 0.6;   // a v between two
+constexpr double kWayOfInstants = 1.0;   // a v between two
 constexpr double kLeastForce = 0.01;     // of the greatest: where instants begin and end
 constexpr double kFirstForce = 1e-4;     // likewise: where a pass begins
 constexpr double kTail = 1e-3;  // times the error, of the energy before: where the wall has ended

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "mechanics/body_motion.hpp"
-#include "mechanics/motion.hpp"
 
 namespace impact {
 namespace {
@@ -48,9 +47,7 @@ void ModalMotion::take_force() {
 
 void ModalMotion::limit_step() {
   const double way = field_.wall->a() * std::abs(dynamics_.state().velocity);
-  const auto rate = [&](double step) {
-    return Motion::kWallMargin * dynamics_.contact_rate() * std::exp(way * step);
-  };
+  const auto rate = [&](double step) { return dynamics_.contact_rate() * std::exp(way * step); };
   stiffest_contact_ = std::max(stiffest_contact_, rate(std::ldexp(step_size_, halvings_)));
   while (step_size_ * step_size_ * rate(step_size_) > kMostStiffness) {
     step_size_ /= 2.0;

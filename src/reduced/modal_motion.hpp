@@ -11,8 +11,8 @@ namespace impact {
 /// ModalDynamics. Positions and velocities of all points are worked out when somebody asks for the
 /// state.
 ///
-/// The step is halved for good where 1.5 times the stiffness that the wall may reach in it, as a
-/// Motion forecasts it, exceeds 4 m/h².
+/// The step is halved for good where the stiffness that the wall may reach in it, as a Motion
+/// forecasts it, exceeds 4 m/h².
 class ModalMotion : public System {
  public:
   static constexpr int kOrder = 2;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "measure/strain.hpp"
+#include "mechanics/rotation_hold.hpp"
 #include "run/expected_time.hpp"
 #include "run/forecast.hpp"
 #include "run/runs_ahead.hpp"
@@ -34,6 +35,9 @@ constexpr std::size_t kRunsThatShowAnOrder = 4;
 /// a limit: without a fourth run, and with it.
 constexpr double kUnconfirmed = 0.1;
 constexpr double kConfirmedLimit = 0.5;
+/// Of numerics.error: by how much two runs, the second in half the steps of the first, may differ
+/// for no third to be needed.
+constexpr double kPairAgrees = 0.02;
 /// a s, s the spacing of the points: above it they meet the wall one after another (16 on the
 /// default disk).
 constexpr double kHardOverSpacing = 50.0;
@@ -62,6 +66,21 @@ Restitution after_the_tail(const Run& run, Restitution measured) {
   return measured;
 }
 
+/// Of the spin of the disk, relative, in this time (R/c) of flight. The damping acts on what turns:
+/// I ω′ = −ω Σ η d², with the lengths d of the bonds.
+double lost_of_spin(const Run& run, double time) {
+  const ForceField& field = run.system().field();
+  if (!field.bonds.damped()) return 0.0;
+  const Body disk = field.first_body();
+  const RotationHold rotation(disk.rows_of(run.state().position));
+  PointArray velocity = PointArray::Zero(field.bonds.points(), 2);
+  velocity.middleRows(disk.first, disk.points) = rotation.direction();
+  PointArray force(velocity.rows(), 2);
+  const double power = BondForces(field.bonds).evaluate_damping(velocity, force);
+  const double inertia = field.point_mass * rotation.direction().square().sum();
+  return std::expm1(power / inertia * time);
+}
+
 FinishedImpact finished_impact(const Run& run, const Restitution& measured) {
   FinishedImpact impact;
   impact.measured = measured;
@@ -75,6 +94,7 @@ FinishedImpact finished_impact(const Run& run, const Restitution& measured) {
       0.5 * (contact.hops_size() + contact.turned()) / field.impact_energy(measured.velocity_after);
   impact.step_reduced = run.system().halvings() > 0;
   impact.stiffest_contact = run.system().stiffest_contact();
+  impact.lost_of_spin = lost_of_spin(run, std::max(0.0, impact.time - measured.contact_end));
   impact.not_separated = run.has_flag(Flag::kNotSeparated);
   impact.folded = run.has_flag(Flag::kFolded);
   impact.cut_off = run.has_flag(Flag::kCutOff);
@@ -185,22 +205,30 @@ bool ErrorControl::accepts(const FinishedImpact& run) {
   note_irregularities(run);
   if (starts_too_near(run)) return false;
   runs_.push_back({resolution_, run.measured});
-  if (runs_.size() < runs_needed() || !planned_.empty()) {
+  const bool is_pair = are_pair();
+  if (!is_pair && (runs_.size() < runs_needed() || !planned_.empty())) {
     go_on(kRefinement);
     return false;
   }
-  conclude(run.tail_error + run.error_by_hops * std::min(1.0, way_in(run.step)) + rounding(run),
-           run.model_error);
+  const double noise =
+      run.tail_error + run.error_by_hops * std::min(1.0, way_in(run.step)) + rounding(run);
+  conclude(noise, run.model_error);
   const double error = scene_.numerics.error;
   const double by_steps = estimated_error_ - run.model_error.restitution;
-  const double part = !is_extrapolated() ? 1.0 : is_confirmed() ? kConfirmedLimit : kUnconfirmed;
-  accepted_ = estimated_error_ <= error && by_steps <= part * error;
-  if (!accepted_) {
-    refine_by_estimate();
-  } else if (may_agree_by_chance(run)) {
-    accepted_ = false;
-    shorten(kRefinement);
+  if (is_pair) {
+    accepted_ = estimated_error_ <= error && by_steps - noise <= kPairAgrees * error;
+    if (!accepted_) go_on(kRefinement);
+  } else {
+    const double part = !is_extrapolated() ? 1.0 : is_confirmed() ? kConfirmedLimit : kUnconfirmed;
+    accepted_ = estimated_error_ <= error && by_steps <= part * error;
+    if (!accepted_) {
+      refine_by_estimate();
+    } else if (may_agree_by_chance(run)) {
+      accepted_ = false;
+      shorten(kRefinement);
+    }
   }
+  if (accepted_) add_lost_of_spin(run.lost_of_spin);
   return accepted_;
 }
 
@@ -293,7 +321,8 @@ double ErrorControl::way_in(double step) const {
 
 /// The order that the latest runs may show.
 std::optional<int> ErrorControl::order() const {
-  const double longest_way = way_in(runs_[runs_.size() - 3].resolution.step);
+  const double longest_way =
+      way_in(runs_[runs_.size() - std::min(runs_.size(), kRunsToCompare)].resolution.step);
   const bool begins_off =
       resolution_.integrator == IntegratorKind::kTakahashiImada && !scene_.flies_without_forces();
   if (erratic_ || irregular_ || begins_off || longest_way > kLongestResolvedWay ||
@@ -303,8 +332,14 @@ std::optional<int> ErrorControl::order() const {
   return order_of(resolution_.integrator);
 }
 
+/// Two runs that may bear each other out, since one has at least twice as many steps.
+bool ErrorControl::are_pair() const {
+  return runs_.size() == 2 && planned_.empty() && order() &&
+         in_half_steps(runs_[0].resolution, runs_[1].resolution);
+}
+
 ConvergedValue ErrorControl::convergence_of(const std::vector<Sample>& runs) const {
-  if (const auto p = order()) return converged(runs, *p);
+  if (const auto p = order()) return runs.size() == 2 ? compared(runs, *p) : converged(runs, *p);
   return erratic_ && !is_adaptive(resolution_.integrator)
              ? compared_if_all_fall(runs, order_of(resolution_.integrator))
              : compared_with_scatter(runs);
@@ -356,6 +391,23 @@ void ErrorControl::add(const ModelError& left_out) {
   answer_.error.rotation_energy += 2.0 * turned * answer_.value.rotation_energy;
   answer_.error.tangential_restitution +=
       left_out.spin / std::abs(scene_.impact.tangential_velocity());
+}
+
+/// To the errors of what depends on the spin: this part of it may be lost between the end of the
+/// contact and that of the run. It is no error of the runs, so that no finer ones are made for it.
+void ErrorControl::add_lost_of_spin(double lost) {
+  if (lost == 0.0) return;
+  const Restitution& value = answer_.value;
+  Restitution& error = answer_.error;
+  const double energy = lost * (2.0 + lost) * value.rotation_energy;
+  const double before = value.tangential_velocity_before + value.spin_before;
+  error.spin_after += lost * std::abs(value.spin_after);
+  error.wall_spin_after += lost * std::abs(value.wall_spin_after);
+  error.wall2_spin_after += lost * std::abs(value.wall2_spin_after);
+  error.wall3_spin_after += lost * std::abs(value.wall3_spin_after);
+  error.rotation_energy += energy;
+  error.energy_restitution += 0.5 * energy / value.energy_restitution;
+  error.tangential_restitution += lost * std::abs(value.spin_after / before);
 }
 
 bool ErrorControl::is_extrapolated() const {

@@ -26,6 +26,7 @@ struct FinishedImpact {
   ModelError model_error{};  ///< of the bodies that were moved
   bool step_reduced = false;
   double stiffest_contact = 0.0;  ///< System::stiffest_contact()
+  double lost_of_spin = 0.0;      ///< by damping, relative, from the end of the contact on
   bool not_separated = false;
   bool folded = false;
   bool cut_off = false;
@@ -36,15 +37,16 @@ struct FinishedImpact {
 /// enough.
 ///
 /// Collision: at least three runs, each with shorter steps than the one before, as planned by
-/// first_resolution() and then by a factor of 1.2 at least. The answer, e and all other numbers of
-/// the impact, is what converged() gives for the last ones: extrapolated to zero step if they show
-/// the order of the method, else that of the finest run. A limit of three runs is accepted up to a
-/// tenth of numerics.error, but for what a model leaves out; above that a fourth run has to confirm
-/// it, unless four were planned, and then it is accepted up to half of numerics.error. If 1/500 of
-/// what was extrapolated exceeds numerics.error, limits are asked to agree twice; those of three
-/// are also if the term after the two that they are fitted to may do so, as the stiffness of the
-/// wall says, or, where the wall is hard over the spacing of the points, all that was extrapolated.
-/// An order is not looked for
+/// first_resolution() and then by a factor of 1.2 at least; two where the second has half the steps
+/// and differs by no more than a fiftieth of numerics.error, which then is the error. The answer, e
+/// and all other numbers of the impact, is what converged() gives for the last ones: extrapolated
+/// to zero step if they show the order of the method, else that of the finest run. A limit of three
+/// runs is accepted up to a tenth of numerics.error, but for what a model leaves out; above that a
+/// fourth run has to confirm it, unless four were planned, and then it is accepted up to half of
+/// numerics.error. If 1/500 of what was extrapolated exceeds numerics.error, limits are asked to
+/// agree twice; those of three are also if the term after the two that they are fitted to may do
+/// so, as the stiffness of the wall says, or, where the wall is hard over the spacing of the
+/// points, all that was extrapolated. An order is not looked for
 /// - where a point of the disk comes further towards the wall than half its range 1/a in a step,
 /// - where contacts pass from bond to bond, and what that does to their energy and to the direction
 ///   of their force could change e by numerics.error,
@@ -66,8 +68,11 @@ struct FinishedImpact {
 ///   wall.V0, v = 10⁻⁶ … 10⁻² c; where steps solve for damped velocities, 16 ε steps, since their
 ///   rounding goes to one side: 4.5 ε a step was seen.
 /// Where the method is `reduced` or `modal`, what it leaves out is added too, see left_out() and
-/// ModalCorrection. If that exceeds numerics.error/2, or the lattice comes near a fold, which these
-/// do not see, `auto` goes on with all points.
+/// ModalCorrection. If that exceeds kMostLeftOut of numerics.error, or the lattice comes near a
+/// fold, which these do not see, `auto` goes on with all points.
+/// Spins are those at the end of the run. What damping takes of them in flight, from the end of the
+/// contact on, counts as an error of theirs and of what depends on them.
+///
 /// A start that turns out too near to the wall, since little speed is left after the impact, is
 /// raised; so is that of a lattice that folds, which may make much of what it missed of the wall.
 ///
@@ -139,12 +144,14 @@ class ErrorControl {
   bool go_on_otherwise();
   void note_irregularities(const FinishedImpact& run);
   std::size_t runs_needed() const;
+  bool are_pair() const;
   double rounding(const FinishedImpact& run) const;
   double way_in(double step) const;
   std::optional<int> order() const;
   ConvergedValue convergence_of(const std::vector<Sample>& runs) const;
   void conclude(double noise, const ModelError& left_out);
   void add(const ModelError& left_out);
+  void add_lost_of_spin(double lost);
   bool is_extrapolated() const;
   bool is_confirmed() const;
   bool may_agree_by_chance(const FinishedImpact& finest) const;

@@ -37,10 +37,10 @@ Rates rates(const Scene& scene, const Spectrum& lattice, const Repulsion& law, i
             double sound_speed);
 
 /// What the wall is likely to add to the square of a frequency, as Simulation forecasts it for
-/// steps of this length. The points that meet the greatest forces are the slowest then: the
-/// forecast grows with a v h as its greatest value in some 250 impacts did (N = 300 and 1099, 0.01
-/// … 0.15 c, a v h up to 1.7).
-double contact_rate(const Scene& scene, const Rates& rates, double step);
+/// steps of this length by this method. The points that meet the greatest forces are the slowest
+/// then: the forecast grows with a v h as its greatest value in some 250 impacts did (N = 300 and
+/// 1099, 0.01 … 0.15 c, a v h up to 1.7).
+double contact_rate(const Scene& scene, const Rates& rates, IntegratorKind integrator, double step);
 
 /// What bonds that are strained may gain over their unstrained stiffness, as the square of a
 /// frequency, where strains are some v: by their cubic part.

@@ -70,8 +70,13 @@ double steps_of_all_runs(const Resolution& last);
 /// or, with `reduced`, `imex` and `modal`, 0.5/(a v).
 Resolution first_resolution(const Scene& scene, const Rates& rates);
 
-/// The runs of a collision that end with this one: it, and those before it, the first one last.
+/// The runs of a collision that end with this one: it, and those before it, the first one last. Two
+/// where velocities are reset so often that the first step which divides their interval is followed
+/// by its half.
 std::vector<Resolution> leading_up_to(const Scene& scene, const Resolution& finest);
+
+/// Whether the second has at most half the steps of the first.
+bool in_half_steps(const Resolution& coarse, const Resolution& fine);
 
 /// The method of higher order or, in the place of `imex` and `modal`, of any order to begin anew
 /// with, where `auto` chose one which turns out to need this step (R/c), and the other costs less.

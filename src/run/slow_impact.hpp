@@ -11,7 +11,7 @@
 namespace impact {
 
 /// The part of numerics.error that a method which moves less than all points may leave out.
-constexpr double kMostLeftOut = 0.5;
+constexpr double kMostLeftOut = 0.65;
 
 /// Whether `auto` tries the method `reduced` first: in a scene that can have it (see
 /// can_be_reduced()), where no step is given, with so many points, if

@@ -171,8 +171,8 @@ TEST(TwoBodies, HalveTheStepAtTheLimitOfBothEnds) {
   const double force = bodies.field.elastic_wall->largest_force();
   const auto limit = [&](double step) {
     const double stiffness = kA * force * std::exp(kA * kSpeed * step);
-    return 2.0 /
-           std::sqrt(omega_squared + 2.0 * Motion::kWallMargin * stiffness / TwoBodies::kMass);
+    return 2.0 / std::sqrt(omega_squared +
+                           2.0 * Motion::wall_margin(false) * stiffness / TwoBodies::kMass);
   };
   double longest = 0.0;
   for (double part = 1.0; part > 1e-9; part /= 2.0) {
@@ -184,8 +184,8 @@ TEST(TwoBodies, HalveTheStepAtTheLimitOfBothEnds) {
     simulation.step();
     EXPECT_EQ(simulation.halvings(), share > 1.0 ? 1 : 0);
     const double first = share * longest;
-    const double stiffest =
-        2.0 * Motion::kWallMargin * kA * force * std::exp(kA * kSpeed * first) / TwoBodies::kMass;
+    const double stiffest = 2.0 * Motion::wall_margin(false) * kA * force *
+                            std::exp(kA * kSpeed * first) / TwoBodies::kMass;
     EXPECT_NEAR(simulation.stiffest_contact() / stiffest, 1.0, 1e-12);
   }
 }
@@ -207,7 +207,7 @@ TEST(TwoBodies, TellTheGreatestStiffnessForTheFirstStep) {
   double stiffest = 0.0;
   while (halved.state().time < 3.0) {
     const double force = halved.field().contact()->largest_force();
-    const double rate = 2.0 * Motion::kWallMargin * 40.0 * force *
+    const double rate = 2.0 * Motion::wall_margin(false) * 40.0 * force *
                         std::exp(40.0 * approach(halved) * 0.5) / TwoBodies::kMass;
     stiffest = std::max(stiffest, rate);
     halved.step();

@@ -84,6 +84,35 @@ TEST(ErrorControl, ComparesThreeOrFourRunsEachFinerThanTheLast) {
   }
 }
 
+/// On a wall whose velocities are reset every 0.004 R/c.
+Scene on_absorbing_wall(double error) {
+  Scene scene = scene_with(error);
+  scene.wall.kind = WallKind::kLattice;
+  scene.wall.points = 70;
+  return scene;
+}
+
+/// Steps of 0.004 and 0.002 R/c: a difference of 3/4 of the longer one's error.
+TEST(ErrorControl, TakesTwoRunsWhereTheSecondHalvesTheStep) {
+  for (const double difference : {0.019, 0.021}) {
+    const double first_error = difference * 1e-4 * 4.0 / 3.0;
+    const Method method{[=](double h) { return first_error * std::pow(h / 0.004, 2); }};
+    const Play play(on_absorbing_wall(1e-4), method);
+    EXPECT_EQ(play.steps[0], 0.004);
+    EXPECT_EQ(play.steps[1], 0.002);
+    EXPECT_EQ(play.runs, difference < 0.02 ? 2 : 3);
+    EXPECT_LT(play.true_error(), play.control.estimated_error());
+    if (play.runs > 2) continue;
+    EXPECT_NEAR(play.control.estimated_error(), difference * 1e-4, 1e-3 * difference * 1e-4);
+  }
+}
+
+TEST(ErrorControl, TakesMoreThanTwoRunsWhereContactsHop) {
+  const Method hops{[](double /*step*/) { return 0.0; },
+                    [](FinishedImpact& run) { run.error_by_hops = 2e-4; }};
+  EXPECT_GT(Play(on_absorbing_wall(1e-4), hops).runs, 2);
+}
+
 TEST(ErrorControl, ForeseesTheRunsThatItAsksFor) {
   const Scene scene = scene_with(1e-4);
   const ErrorControl control(scene, compose(scene));
@@ -741,6 +770,28 @@ TEST(ErrorControl, TakesARunOfGivenStepAsItIs) {
 
 /// All numbers of an impact are extrapolated alike, except those that are read off the steps: they
 /// are those of the last run, in doubt by the range of all.
+/// It is not known when the spin is read, but that calls for no more runs.
+TEST(ErrorControl, CountsWhatDampingTakesOfTheSpin) {
+  constexpr double kPart = 0.5;
+  const Method slows{[](double /*step*/) { return 0.0; },
+                     [](FinishedImpact& run) {
+                       run.lost_of_spin = kPart;
+                       run.measured.tangential_velocity_before = 0.3;
+                       run.measured.spin_before = -0.1;
+                     }};
+  const Play play(scene_with(1e-4), slows);
+  EXPECT_EQ(play.runs, 3);
+  EXPECT_LT(play.control.estimated_error(), 1e-6);
+  const Restitution& error = play.control.answer().error;
+  EXPECT_NEAR(error.spin_after, kPart * kTrue, 1e-6);
+  EXPECT_NEAR(error.wall_spin_after, kPart * kTrue, 1e-6);
+  EXPECT_NEAR(error.tangential_restitution, kPart * kTrue / 0.2, 1e-6);
+  const double of_rotation = (std::pow(1.0 + kPart, 2) - 1.0) * kTrue;
+  EXPECT_NEAR(error.rotation_energy, of_rotation, 1e-6);
+  EXPECT_NEAR(error.energy_restitution, 0.5 * of_rotation / kTrue, 1e-6);
+  EXPECT_LT(error.restitution, 1e-6);
+}
+
 TEST(ErrorControl, GivesEveryNumberAnError) {
   const auto error = [](double h) { return h * h; };
   const Play play(scene_with(1e-6), {error});

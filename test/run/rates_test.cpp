@@ -47,5 +47,14 @@ TEST(Rates, CountBothEndsOfAContact) {
                    2.0 * one_end);
 }
 
+/// Those have inertia to spare.
+TEST(ContactRate, HasAMarginUnlessTheMethodSolvesForTheBonds) {
+  Scene scene;
+  const Rates of_scene = rates(scene, {1.0, 0.0}, kLaw, kPointsOfDefault, kSpeedOfSound);
+  const double plain = contact_rate(scene, of_scene, IntegratorKind::kImex, 0.01);
+  EXPECT_DOUBLE_EQ(contact_rate(scene, of_scene, IntegratorKind::kVerlet, 0.01), 1.5 * plain);
+  EXPECT_DOUBLE_EQ(contact_rate(scene, of_scene, IntegratorKind::kModal, 0.01), plain);
+}
+
 }  // namespace
 }  // namespace impact

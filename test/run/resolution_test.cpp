@@ -89,7 +89,7 @@ TEST(FirstResolution, AutoGoesToHigherOrderForSmallErrors) {
 /// an impact so fast that the wall allows no steps beyond those of the lattice.
 TEST(FirstResolution, AutoGoesToImplicitDampingWhereItIsStiff) {
   const auto integrator = [](double eta) {
-    const Scene scene = scene_with(IntegratorKind::kAuto, 0.1, eta);
+    const Scene scene = scene_with(IntegratorKind::kAuto, 0.2, eta);
     return first(scene, {8100.0, 12.4 * eta}).integrator;
   };
   EXPECT_EQ(integrator(1.0), IntegratorKind::kVerlet);
@@ -111,7 +111,7 @@ TEST(FirstResolution, AutoGoesToImexWhereADampedImpactIsSlow) {
     EXPECT_EQ(resolution(1e-4, eta).integrator, IntegratorKind::kImex) << eta;
     EXPECT_EQ(resolution(1e-4, eta, true).integrator, IntegratorKind::kModal) << eta;
     EXPECT_NE(resolution(0.1, eta, true).integrator, IntegratorKind::kModal) << eta;
-    EXPECT_NE(resolution(0.1, eta).integrator, IntegratorKind::kImex) << eta;
+    EXPECT_NE(resolution(0.3, eta).integrator, IntegratorKind::kImex) << eta;
   }
   EXPECT_NE(resolution(1e-4, 0.0).integrator, IntegratorKind::kImex);
   EXPECT_NEAR(resolution(1e-6, 1.0).step / resolution(1e-5, 1.0).step, 10.0, 0.1);
@@ -213,10 +213,21 @@ TEST(LeadingUpTo, BeginsWithAStepThatIsShortEnough) {
 TEST(LeadingUpTo, DividesTheIntervalBetweenResets) {
   Scene scene;
   scene.wall.kind = WallKind::kLattice;
+  const auto runs = leading_up_to(scene, {IntegratorKind::kVerlet, 0.002});
+  ASSERT_EQ(runs.size(), 3);
+  EXPECT_DOUBLE_EQ(runs[2].step, 0.002);
+  EXPECT_DOUBLE_EQ(runs[1].step, 0.004 / 3.0);
+  EXPECT_DOUBLE_EQ(runs[0].step, 0.001);
+}
+
+/// These two may bear each other out.
+TEST(LeadingUpTo, IsOneRunWhereItsStepIsHalved) {
+  Scene scene;
+  scene.wall.kind = WallKind::kLattice;
   const auto runs = leading_up_to(scene, {IntegratorKind::kVerlet, 0.004});
-  EXPECT_DOUBLE_EQ(runs[2].step, 0.004);
-  EXPECT_DOUBLE_EQ(runs[1].step, 0.002);
-  EXPECT_DOUBLE_EQ(runs[0].step, 0.004 / 3.0);
+  ASSERT_EQ(runs.size(), 2);
+  EXPECT_DOUBLE_EQ(runs[1].step, 0.004);
+  EXPECT_DOUBLE_EQ(runs[0].step, 0.002);
 }
 
 TEST(LeadingUpTo, TightensTolerances) {
