@@ -87,7 +87,7 @@ void ImpactEstimate::conclude(const FinishedImpact& latest) {
   noise_ = latest.tail_error + latest.error_by_hops * std::min(1.0, way_in(latest.step)) +
            rounding(latest);
   left_out_ = latest.model_error.restitution;
-  const std::size_t count = order() ? std::min(runs_.size(), kRunsThatShowAnOrder) : runs_needed();
+  const std::size_t count = std::min(runs_.size(), order() ? kRunsThatShowAnOrder : runs_needed());
   const std::vector<FinishedRun> runs(runs_.end() - static_cast<std::ptrdiff_t>(count),
                                       runs_.end());
   std::vector<Sample> samples;
