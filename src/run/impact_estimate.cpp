@@ -148,20 +148,26 @@ void ImpactEstimate::add(const ModelError& left_out) {
 }
 
 /// To the errors of what depends on the spin: this part of it may be lost between the end of the
-/// contact and that of the run. It is no error of the runs, so that no finer ones are made for it.
+/// contact and that of the run, but no more than the energy that is not seen at the end. It is no
+/// error of the runs, so that no finer ones are made for it.
 void ImpactEstimate::add_lost_of_spin(double lost) {
   if (lost == 0.0) return;
   const Restitution& value = answer_.value;
   Restitution& error = answer_.error;
-  const double energy = lost * (2.0 + lost) * value.rotation_energy;
-  const double before = value.tangential_velocity_before + value.spin_before;
-  error.spin_after += lost * std::abs(value.spin_after);
+  const double unseen =
+      std::max(0.0, 1.0 - value.normal_energy - value.tangential_energy - value.rotation_energy);
+  const double energy = std::min(unseen, lost * (2.0 + lost) * value.rotation_energy);
+  const double spin = std::abs(value.spin_after);
+  const double more_spin =
+      std::sqrt(spin * spin + 2.0 * energy * value.energy_before / value.moment_of_inertia) - spin;
+  error.spin_after += more_spin;
+  error.rotation_energy += energy;
+  error.energy_restitution += 0.5 * energy / value.energy_restitution;
+  error.tangential_restitution +=
+      more_spin / std::abs(value.tangential_velocity_before + value.spin_before);
   error.wall_spin_after += lost * std::abs(value.wall_spin_after);
   error.wall2_spin_after += lost * std::abs(value.wall2_spin_after);
   error.wall3_spin_after += lost * std::abs(value.wall3_spin_after);
-  error.rotation_energy += energy;
-  error.energy_restitution += 0.5 * energy / value.energy_restitution;
-  error.tangential_restitution += lost * std::abs(value.spin_after / before);
 }
 
 bool ImpactEstimate::is_extrapolated() const {

@@ -43,8 +43,8 @@ constexpr std::size_t kRunsThatShowAnOrder = 4;
 ///   rounding goes to one side: 4.5 ε a step was seen;
 /// - what `reduced` or `modal` leave out, see left_out() and ModalCorrection.
 /// Spins are those at the end of the run. What damping takes of them in flight, from the end of the
-/// contact on, counts as an error of theirs and of what depends on them; no finer runs are asked
-/// for it.
+/// contact on, at most all energy that is not seen at the end, counts as an error of theirs and of
+/// what depends on them; no finer runs are asked for it.
 class ImpactEstimate {
  public:
   /// `spacing` of the points of the disk, R.

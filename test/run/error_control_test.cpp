@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <random>
 #include <string>
@@ -770,26 +771,34 @@ TEST(ErrorControl, TakesARunOfGivenStepAsItIs) {
 
 /// All numbers of an impact are extrapolated alike, except those that are read off the steps: they
 /// are those of the last run, in doubt by the range of all.
-/// It is not known when the spin is read, but that calls for no more runs.
+/// It is not known when the spin is read, but that calls for no more runs. Not more than what is
+/// not seen of the energy can have been in it.
 TEST(ErrorControl, CountsWhatDampingTakesOfTheSpin) {
-  constexpr double kPart = 0.5;
-  const Method slows{[](double /*step*/) { return 0.0; },
-                     [](FinishedImpact& run) {
-                       run.lost_of_spin = kPart;
-                       run.measured.tangential_velocity_before = 0.3;
-                       run.measured.spin_before = -0.1;
-                     }};
-  const Play play(scene_with(1e-4), slows);
-  EXPECT_EQ(play.runs, 3);
-  EXPECT_LT(play.control.estimated_error(), 1e-6);
-  const Restitution& error = play.control.answer().error;
-  EXPECT_NEAR(error.spin_after, kPart * kTrue, 1e-6);
-  EXPECT_NEAR(error.wall_spin_after, kPart * kTrue, 1e-6);
-  EXPECT_NEAR(error.tangential_restitution, kPart * kTrue / 0.2, 1e-6);
-  const double of_rotation = (std::pow(1.0 + kPart, 2) - 1.0) * kTrue;
-  EXPECT_NEAR(error.rotation_energy, of_rotation, 1e-6);
-  EXPECT_NEAR(error.energy_restitution, 0.5 * of_rotation / kTrue, 1e-6);
-  EXPECT_LT(error.restitution, 1e-6);
+  for (const double lost : {0.5, std::numeric_limits<double>::infinity()}) {
+    const Method slows{[](double /*step*/) { return 0.0; },
+                       [=](FinishedImpact& run) {
+                         run.lost_of_spin = lost;
+                         run.measured.tangential_velocity_before = 0.3;
+                         run.measured.spin_before = -0.1;
+                         run.measured.normal_energy = 0.3;
+                         run.measured.tangential_energy = 0.2;
+                         run.measured.rotation_energy = 0.1;
+                         run.measured.moment_of_inertia = 0.5;
+                         run.measured.energy_before = 0.25 * kTrue * kTrue / 0.1;
+                       }};
+    const Play play(scene_with(1e-4), slows);
+    EXPECT_EQ(play.runs, 3);
+    EXPECT_LT(play.control.estimated_error(), 1e-6);
+    const Restitution& error = play.control.answer().error;
+    const double energy = std::isfinite(lost) ? 0.1 * (1.5 * 1.5 - 1.0) : 0.4;
+    const double spin = kTrue * (std::sqrt(1.0 + energy / 0.1) - 1.0);
+    EXPECT_NEAR(error.spin_after, spin, 1e-6);
+    EXPECT_NEAR(error.tangential_restitution, spin / 0.2, 1e-6);
+    EXPECT_NEAR(error.rotation_energy, energy, 1e-6);
+    EXPECT_NEAR(error.energy_restitution, 0.5 * energy / kTrue, 1e-6);
+    EXPECT_LT(error.restitution, 1e-6);
+    EXPECT_GE(error.wall_spin_after, std::min(lost, 1.0) * kTrue);
+  }
 }
 
 TEST(ErrorControl, GivesEveryNumberAnError) {
