@@ -171,7 +171,7 @@ std::string RunChecks::fault_of_momentum(double velocity, double time, const Tra
                ? fmt::format("velocity {} c at the start, of the scene {}", velocity, -v)
                : std::string();
   }
-  const double way = scene.wall.a * scene.impact.approach_velocity() * step_size;
+  const double way = scene.wall_rate() * step_size;
   const double tolerance = kRounding * scene.impact.normal_velocity() + way * way * sum.size;
   const double change = velocity - last_velocity_ + scene.gravity * (time - last_time_);
   return differ(change, sum.impulse, tolerance)

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "measure/strain.hpp"
+#include "mechanics/motion.hpp"
 #include "run/expected_time.hpp"
 #include "run/forecast.hpp"
 #include "run/runs_ahead.hpp"
@@ -58,7 +59,7 @@ void ErrorControl::plan(const Resolution& finest) {
 /// By the stiffness that the wall was seen to have. Where that does not explain the halving, or has
 /// been tried several times, just by shorter steps.
 void ErrorControl::plan_after_halving(const FinishedImpact& run) {
-  rates_.met = run.stiffest_contact;
+  rates_.met = run.stiffest_contact / Motion::wall_margin(solves_for_bonds(resolution_.integrator));
   Resolution next = first_resolution(scene_, rates_);
   next.lift = resolution_.lift;
   const double longest = leading_up_to(scene_, next).back().step;

@@ -64,8 +64,7 @@ struct Work {
 /// rings.
 double rate_of_wall_force(const Scene& scene) {
   if (scene.kind == SceneKind::kContact) return std::sqrt(scene.wall.a * scene.load.p);
-  return scene.wall.a * scene.impact.approach_velocity() +
-         estimated_sound_speed(scene.material.k_a);
+  return scene.wall_rate() + estimated_sound_speed(scene.material.k_a);
 }
 
 /// The steps of all runs over those of the last one, which this is.

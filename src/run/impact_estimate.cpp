@@ -56,9 +56,7 @@ double ImpactEstimate::rounding(const FinishedImpact& run) const {
 }
 
 /// How far the disk comes in a step (R/c), in ranges 1/a of the wall.
-double ImpactEstimate::way_in(double step) const {
-  return scene_.wall.a * scene_.impact.approach_velocity() * step;
-}
+double ImpactEstimate::way_in(double step) const { return scene_.wall_rate() * step; }
 
 /// The order that the latest runs may show.
 std::optional<int> ImpactEstimate::order() const {
@@ -127,10 +125,8 @@ bool ImpactEstimate::is_good() const {
   const double by_steps = error_ - left_out_;
   if (!(error_ <= wanted)) return false;
   if (are_pair()) return by_steps - noise_ <= kPairAgrees * wanted;
-  return by_steps <= (!is_extrapolated() ? 1.0
-                      : is_confirmed()   ? kConfirmedLimit
-                                         : kUnconfirmed) *
-                         wanted;
+  const double part = !is_extrapolated() ? 1.0 : is_confirmed() ? kConfirmedLimit : kUnconfirmed;
+  return by_steps <= part * wanted;
 }
 
 /// To the errors of the answer.
@@ -179,8 +175,7 @@ bool ImpactEstimate::is_confirmed() const {
   return !is_extrapolated() || runs_.size() >= kRunsThatShowAnOrder;
 }
 
-/// Whether more than numerics.error of what was extrapolated is in doubt, and one more run is to
-/// bear the limit out. Limits agree by chance now and then: those of four runs once in 2000 random
+/// Limits agree by chance now and then: those of four runs once in 2000 random
 /// scenes to 10⁻⁵ of what was extrapolated, when they were off by 10⁻³ of it. Three have nothing to
 /// say of the term after the two that they are fitted to. Of a spring of frequency ω over the point
 /// mass it is (ω² h₁ h₂)²/60 of the first, by Verlet, cos ω′h = 1 − ω²h²/2, as well as by
@@ -202,7 +197,6 @@ bool ImpactEstimate::may_agree_by_chance(const FinishedImpact& finest) const {
          scene_.numerics.error * std::abs(answer_.value.restitution);
 }
 
-/// Whether a fourth run near the others may show an order that three do not.
 bool ImpactEstimate::may_be_confirmed() const {
   if (is_extrapolated() || !order() || runs_.size() + 1 != kRunsThatShowAnOrder) return false;
   const auto sample = [this](std::size_t k) {

@@ -11,6 +11,7 @@
 
 namespace impact {
 
+/// As many as confirm a limit.
 constexpr std::size_t kRunsThatShowAnOrder = 4;
 
 /// What several runs of an impact by one method say together, each finer than the one before: the

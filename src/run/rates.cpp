@@ -52,12 +52,12 @@ Rates rates(const Scene& scene, const Spectrum& lattice, const Repulsion& law, i
 double contact_rate(const Scene& scene, const Rates& rates, IntegratorKind integrator,
                     double step) {
   constexpr double kOfEstimate = 0.65;
-  if (rates.met) return *rates.met;
+  const double margin = Motion::wall_margin(solves_for_bonds(integrator));
+  if (rates.met) return margin * *rates.met;
   const double approach =
       scene.kind == SceneKind::kCollision ? scene.impact.approach_velocity() : 0.0;
   const double way = scene.wall.a * approach * step;
-  return kOfEstimate * Motion::wall_margin(solves_for_bonds(integrator)) * rates.wall *
-         std::exp(way / 2.0 + way * way / 8.0);
+  return kOfEstimate * margin * rates.wall * std::exp(way / 2.0 + way * way / 8.0);
 }
 
 double rate_of_gain(const Scene& scene, const Rates& rates) {

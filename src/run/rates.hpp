@@ -13,7 +13,7 @@ struct Rates {
   Spectrum lattice;
   double wall = 0.0;  ///< square of the frequency that the wall adds at its stiffest, c²/R²
   double sound_speed = 1.0;  ///< c
-  /// What a run has met in the place of `wall`, its margin included: System::stiffest_contact().
+  /// What a run has met in the place of `wall`: System::stiffest_contact() without its margin.
   std::optional<double> met{};
   double spacing = 1.0;  ///< of the points of the disk, R
   double time = 1.0;     ///< that a run is expected to take, R/c

@@ -96,7 +96,7 @@ double on_scale(IntegratorKind integrator, double step) {
 double longest_sensible_step(const Scene& scene, IntegratorKind integrator, const Rates& rates) {
   constexpr double kNegligible = 1e-3;
   if (!solves_for_bonds(integrator) || scene.kind != SceneKind::kCollision) return kLongestStep;
-  const double of_wall = kLongestResolvedWay / (scene.wall.a * scene.impact.approach_velocity());
+  const double of_wall = kLongestResolvedWay / scene.wall_rate();
   const double kick =
       scene.material.k_a * std::numeric_limits<double>::epsilon() * points_at(rates.spacing);
   const bool counts = of_wall * kick > kNegligible * scene.impact.approach_velocity();
@@ -135,7 +135,7 @@ double longest_step(const Scene& scene, IntegratorKind integrator, const Rates& 
 
 ExtrapolationError error_of_imex(const Scene& scene) {
   const double frequency = std::sqrt(scene.material.k_a);
-  const double rate = std::max(1.0, scene.wall.a * scene.impact.approach_velocity() / frequency);
+  const double rate = std::max(1.0, scene.wall_rate() / frequency);
   const double per_fit = std::pow(rate, -1.5) / std::sqrt(scene.material.eta / frequency);
   return {per_fit * kErrorOfImex.three_runs, per_fit * kErrorOfImex.four_runs};
 }
@@ -169,7 +169,7 @@ double longest_way(const Scene& scene, IntegratorKind integrator, int runs, doub
 Resolution last_of(int runs, const Scene& scene, IntegratorKind integrator, const Rates& rates) {
   const int leading = runs - 1;
   const Coarsening& by = coarsening_of(integrator);
-  const double wall_rate = scene.wall.a * scene.impact.approach_velocity();
+  const double wall_rate = scene.wall_rate();
   double longest = longest_step(scene, integrator, rates);
   const double step = dividing_resets(
       scene, on_scale(integrator,

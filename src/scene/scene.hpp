@@ -126,6 +126,9 @@ struct Scene {
     double period = 0.02;
   } output;
 
+  /// At which the wall's force grows while the disk comes to it: a v, c/R.
+  double wall_rate() const { return wall.a * impact.approach_velocity(); }
+
   bool has_elastic_wall() const {
     return kind == SceneKind::kCollision && wall.kind == WallKind::kLattice;
   }

@@ -54,6 +54,10 @@ TEST(ContactRate, HasAMarginUnlessTheMethodSolvesForTheBonds) {
   const double plain = contact_rate(scene, of_scene, IntegratorKind::kImex, 0.01);
   EXPECT_DOUBLE_EQ(contact_rate(scene, of_scene, IntegratorKind::kVerlet, 0.01), 1.5 * plain);
   EXPECT_DOUBLE_EQ(contact_rate(scene, of_scene, IntegratorKind::kModal, 0.01), plain);
+  Rates met = of_scene;
+  met.met = 100.0;
+  EXPECT_EQ(contact_rate(scene, met, IntegratorKind::kImex, 0.01), 100.0);
+  EXPECT_EQ(contact_rate(scene, met, IntegratorKind::kVerlet, 0.01), 150.0);
 }
 
 }  // namespace
